@@ -1,0 +1,65 @@
+/// The solver slot: one `solve` for every quadratic program of the house.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/qp/quadratic_program.h"
+
+namespace wuerfel {
+
+enum class QpStatus {
+  optimal,      ///< residual within tolerance
+  inaccurate,   ///< a usable point whose residual misses the tolerance; never to be used silently
+  infeasible,   ///< no x satisfies the restrictions
+  invalid,      ///< the program itself is malformed (NaN, mass <= 0, wrong sizes)
+  unavailable,  ///< the solver could not be loaded
+};
+std::string_view to_string(QpStatus status);
+
+/// Optimality residual of a point, found by an independent function (design, section 1, "How right a solution is").
+/// All four are relative: forces to the largest force at hand, lengths of accelerations to the largest |f|.
+struct QpResidual {
+  double stationarity = 0.0;     ///< |M (x - f) - J' lambda|
+  double primal = 0.0;           ///< violation of J x = b and J x >= b
+  double dual = 0.0;             ///< violation of force_min <= lambda <= force_max
+  double complementarity = 0.0;  ///< max_i min(lambda_i, slack_i), not their product
+  [[nodiscard]] double worst() const;
+};
+
+struct [[nodiscard]] QpResult {
+  QpStatus status = QpStatus::invalid;
+  std::vector<double> x;           ///< n
+  std::vector<double> multiplier;  ///< m
+  QpResidual residual;
+  int iterations = 0;
+};
+
+/// Independent of every solver. `x` of size n, `multiplier` of size m.
+QpResidual optimality_residual(const QuadraticProgram& program,
+                               const std::vector<double>& x,
+                               const std::vector<double>& multiplier);
+
+/// The first thing wrong with the program, or an empty text.
+std::string_view defect(const QuadraticProgram& program);
+
+class QpSolver {
+ public:
+  virtual ~QpSolver() = default;
+  /// Solves into `result`, whose vectors are reused. A malformed program gives a status, never an exception.
+  virtual void solve(const QuadraticProgram& program, QpResult& result) = 0;
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Forgets what was remembered of earlier programs (warm start, symbolic work).
+  virtual void forget() {}
+};
+
+enum class QpMethod { ipopt };
+
+struct QpSettings {
+  double tolerance = 1e-10;  ///< on QpResidual::worst(); smaller is slower and ends at rounding, about 1e-13
+};
+
+std::unique_ptr<QpSolver> make_qp_solver(QpMethod method, const QpSettings& settings = {});
+
+}  // namespace wuerfel

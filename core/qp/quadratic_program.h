@@ -1,0 +1,82 @@
+/// The one problem type of the house. Gauss' principle (9), Moreau's impact law and the length correction are all
+///
+///     minimise  1/2 (x - f)' M (x - f)    subject to    J_e x = b_e,   J_s x >= b_s
+///
+/// with diagonal M > 0. Its multipliers are the forces:  M (x - f) = J' lambda.
+///
+/// A row is a restriction together with the range of its multiplier, [force_min, force_max]:
+///
+///     equality (rod)              (-inf, inf)   J x  = b
+///     inequality (side)           [0, inf)      J x >= b,  lambda >= 0,  lambda (J x - b) = 0
+///     bounded (Coulomb friction)  [-r, r]       lambda = r where J x < b, -r where J x > b, between them J x = b
+///
+/// so that friction needs no second problem type. Nothing here knows of cubes.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace wuerfel {
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+struct QuadraticProgram {
+  /// Unknowns come in blocks (3 of a rigid cube, 2 of a point); rows couple few blocks, and solvers work on the
+  /// graph of blocks.
+  int block_size = 3;
+  std::vector<double> mass;    ///< diagonal of M, > 0; size n = blocks * block_size
+  std::vector<double> target;  ///< f; size n
+
+  // Rows, compressed: entries of row i are row_start[i] .. row_start[i+1]-1. Within a row every block occurs once.
+  std::vector<double> bound;         ///< b; size m
+  std::vector<double> force_min;     ///< smallest multiplier; size m, -inf or <= 0
+  std::vector<double> force_max;     ///< largest multiplier; size m, +inf or >= 0
+  std::vector<int> row_start{0};     ///< size m + 1
+  std::vector<int> entry_block;      ///< size row_start[m]
+  std::vector<double> coefficients;  ///< size row_start[m] * block_size
+
+  [[nodiscard]] int unknowns() const { return static_cast<int>(mass.size()); }
+  [[nodiscard]] int blocks() const { return block_size > 0 ? unknowns() / block_size : 0; }
+  [[nodiscard]] int rows() const { return static_cast<int>(bound.size()); }
+  [[nodiscard]] int entries() const { return row_start.back(); }
+  [[nodiscard]] bool is_equality(int row) const {
+    return force_min[static_cast<std::size_t>(row)] == -unbounded && force_max[static_cast<std::size_t>(row)] == unbounded;
+  }
+  [[nodiscard]] std::span<const double> entry(int e) const {
+    return {coefficients.data() + static_cast<std::size_t>(e) * static_cast<std::size_t>(block_size),
+            static_cast<std::size_t>(block_size)};
+  }
+
+  /// Forgets the program and keeps the memory.
+  void clear(int new_block_size) {
+    block_size = new_block_size;
+    for (auto* v : {&mass, &target, &bound, &force_min, &force_max, &coefficients}) v->clear();
+    row_start.assign(1, 0);
+    entry_block.clear();
+  }
+  /// Adds the block of `block_size` masses and targets; returns its number.
+  int add_block(std::span<const double> masses, std::span<const double> targets) {
+    mass.insert(mass.end(), masses.begin(), masses.end());
+    target.insert(target.end(), targets.begin(), targets.end());
+    return blocks() - 1;
+  }
+  /// Starts a row; its entries follow by add_entry. Returns its number.
+  int add_row(double b, double min_force, double max_force) {
+    bound.push_back(b);
+    force_min.push_back(min_force);
+    force_max.push_back(max_force);
+    row_start.push_back(row_start.back());
+    return rows() - 1;
+  }
+  int add_equality(double b) { return add_row(b, -unbounded, unbounded); }
+  int add_inequality(double b) { return add_row(b, 0.0, unbounded); }
+  /// Adds `block_size` coefficients on one block to the last row.
+  void add_entry(int block, std::span<const double> values) {
+    entry_block.push_back(block);
+    coefficients.insert(coefficients.end(), values.begin(), values.end());
+    ++row_start.back();
+  }
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,30 @@
+/// How a scene is to be solved: what users choose with the motion options.
+#pragma once
+
+#include <string_view>
+
+#include "core/qp/qp_solver.h"
+
+namespace wuerfel {
+
+enum class Integrator {
+  euler,       ///< Algorithm 1 exactly as printed: p takes the old v
+  symplectic,  ///< semi-implicit Euler: p takes the new v
+};
+enum class Formulation {
+  points,  ///< the paper to the letter: every point an unknown, every rod a restriction
+};
+
+struct MotionSettings {
+  Integrator integrator = Integrator::symplectic;
+  Formulation formulation = Formulation::points;
+  QpMethod solver = QpMethod::ipopt;
+  double tolerance = 1e-8;    ///< of states; also the error budget of the audit
+  double step = 1.0 / 240.0;  ///< s, of the stepping integrators
+};
+
+std::string_view to_string(Integrator integrator);
+std::string_view to_string(Formulation formulation);
+std::string_view to_string(QpMethod method);
+
+}  // namespace wuerfel

@@ -1,0 +1,78 @@
+/// Snapshot: everything a picture may know of the physics. Plain values, no behaviour; the only header of core
+/// that the renderer includes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel {
+
+enum class ForceKind { contact, friction, rod_tension, rod_compression };
+
+/// A posed rectangle: a cube, or a fixed box.
+struct SnapshotBox {
+  std::string name;
+  Vec2 center = Vec2::Zero();     ///< m
+  double angle = 0.0;             ///< rad, counter-clockwise
+  Vec2 size = Vec2::Ones();       ///< m
+  bool fixed = false;             ///< drawn as ground, without rods
+  int color_index = 0;            ///< running number of the cube: position in the theme's palette
+  std::optional<std::array<std::uint8_t, 3>> color;  ///< RGB that the scene asks for
+  Vec2 velocity = Vec2::Zero();   ///< m/s, of the centre
+  double spin = 0.0;              ///< rad/s
+};
+
+/// A fixed half-plane.
+struct SnapshotPlane {
+  std::string name;
+  Vec2 point = Vec2::Zero();
+  Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid
+};
+
+/// A force arrow: starts at `point`, shows `force`.
+struct SnapshotForce {
+  Vec2 point = Vec2::Zero();  ///< m
+  Vec2 force = Vec2::Zero();  ///< N, acts on the body that it points into
+  ForceKind kind = ForceKind::contact;
+};
+
+/// A rod (Stange) of a cube with its tension.
+struct SnapshotRod {
+  Vec2 a = Vec2::Zero();  ///< m
+  Vec2 b = Vec2::Zero();  ///< m
+  double tension = 0.0;   ///< N, tension positive; 0 where forces were not asked for
+};
+
+/// A point mass of the paper's model (Figure 7).
+struct SnapshotPoint {
+  Vec2 position = Vec2::Zero();  ///< m
+  double mass = 0.0;             ///< kg
+};
+
+/// A touching point: corner p_k on the side (p_i, p_j), with the unit normal into the corner's body.
+struct SnapshotContact {
+  Vec2 p_i = Vec2::Zero();
+  Vec2 p_j = Vec2::Zero();
+  Vec2 p_k = Vec2::Zero();
+  Vec2 normal = Vec2::UnitY();
+};
+
+struct Snapshot {
+  double time = 0.0;          ///< s
+  std::string title;
+  double energy = 0.0;        ///< J, kinetic and potential
+  std::uint64_t revision = 0; ///< equal revisions: equal pictures but for the time shown
+  std::vector<SnapshotBox> boxes;
+  std::vector<SnapshotPlane> planes;
+  std::vector<SnapshotForce> forces;
+  std::vector<SnapshotRod> rods;        ///< filled only when asked for
+  std::vector<SnapshotPoint> points;    ///< filled only when asked for
+  std::vector<SnapshotContact> contacts; ///< filled only when asked for
+};
+
+}  // namespace wuerfel
