@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/state.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
@@ -23,14 +24,6 @@ struct Event {
   std::string from;  ///< body it comes from
   Vec2 point = Vec2::Zero();  ///< m
   double impulse = 0.0;       ///< N s
-};
-
-/// State of one cube.
-struct BodyState {
-  Vec2 position = Vec2::Zero();  ///< m, centre
-  double angle = 0.0;            ///< rad
-  Vec2 velocity = Vec2::Zero();  ///< m/s
-  double spin = 0.0;             ///< rad/s
 };
 
 /// Invariants kept book of in every run.
@@ -74,7 +67,7 @@ class Simulation {
 
   [[nodiscard]] double time() const;
   /// One per cube, in the order of Scene::cubes.
-  [[nodiscard]] const std::vector<BodyState>& states() const;
+  [[nodiscard]] const State& states() const;
   [[nodiscard]] const std::vector<Event>& events() const;
   [[nodiscard]] Audit audit() const;
   [[nodiscard]] const Cost& cost() const;

@@ -1,0 +1,49 @@
+/// A posed rectangle: its corners, its sides and what lies outside of them.
+///
+/// Corners 0 .. 3 run counter-clockwise from the lower left of the unturned box. Side e joins corners e and e + 1
+/// and is stored clockwise as the paper's (p_i, p_j) = (corner e + 1, corner e), so that Eq. (2) is positive outside
+/// and n = perp(p_j - p_i) points out.
+#pragma once
+
+#include <array>
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel {
+
+struct Box {
+  Vec2 center = Vec2::Zero();   ///< m
+  Vec2 half = Vec2::Zero();     ///< m, half width and half height
+  Vec2 axis = Vec2::UnitX();    ///< unit vector along the width: (cos, sin) of the angle
+  std::array<Vec2, 4> arm = {};  ///< m, corners relative to the centre
+
+  [[nodiscard]] Vec2 corner(int k) const { return center + arm[static_cast<std::size_t>(k)]; }
+  /// Unit normal of side e, pointing out.
+  [[nodiscard]] Vec2 normal(int e) const {
+    const Vec2 n = (e & 1) != 0 ? axis : Vec2(axis.y(), -axis.x());
+    return e < 2 ? n : Vec2(-n);
+  }
+  /// Distance of side e from the centre.
+  [[nodiscard]] double reach(int e) const { return (e & 1) != 0 ? half.x() : half.y(); }
+  /// Length of side e.
+  [[nodiscard]] double length(int e) const { return 2.0 * ((e & 1) != 0 ? half.y() : half.x()); }
+  [[nodiscard]] double smaller_side() const { return 2.0 * half.minCoeff(); }
+};
+
+inline int next_corner(int k) { return (k + 1) & 3; }
+
+Box make_box(const Vec2& center, double angle, const Vec2& size);
+
+/// Separation of two boxes along the outward normal of side e of `a`: distance of the nearest corner of `b` from
+/// the side's line, negative inside. Differences of centres are taken first, so that far from the origin nothing is
+/// lost but the rounding of the positions themselves.
+double side_separation(const Box& a, int e, const Box& b);
+
+/// Largest side separation over the eight sides (separating axes): negative where the boxes overlap, then minus the
+/// depth; where positive a lower bound of the distance.
+double separation(const Box& a, const Box& b);
+
+/// Separation of a box from the half-plane at `point` with unit `normal` out of the solid.
+double plane_separation(const Vec2& point, const Vec2& normal, const Box& box);
+
+}  // namespace wuerfel

@@ -1,0 +1,50 @@
+/// Which boxes are near enough to matter: all pairs of overlapping axis-aligned bounds.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel {
+
+/// Axis-aligned bounds.
+struct Bounds {
+  Vec2 low = Vec2::Zero();   ///< m
+  Vec2 high = Vec2::Zero();  ///< m
+  [[nodiscard]] bool overlaps(const Bounds& other) const {
+    return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y()
+           && other.low.y() <= high.y();
+  }
+};
+
+using IndexPair = std::pair<int, int>;
+
+/// Finds overlapping pairs with a balanced tree of bounds (median split of the centres); O(N log N + pairs) whatever
+/// the sizes and the arrangement. Keeps its memory from call to call.
+class BroadPhase {
+ public:
+  /// Pairs (i, j), i < j, in ascending order.
+  const std::vector<IndexPair>& overlapping_pairs(std::span<const Bounds> bounds);
+
+ private:
+  struct Node {
+    Bounds bounds;
+    int begin = 0;  ///< range of order_ below this node
+    int end = 0;
+    int right = -1;  ///< right child; the left one follows its parent; -1: leaf
+  };
+  int build(std::span<const Bounds> bounds, int begin, int end);
+  void query(std::span<const Bounds> bounds, int leaf_item);
+
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+  std::vector<int> stack_;
+  std::vector<IndexPair> pairs_;
+};
+
+/// The oracle: every pair looked at.
+std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const Bounds> bounds);
+
+}  // namespace wuerfel

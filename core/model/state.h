@@ -1,0 +1,28 @@
+/// State of the cubes: the reduced coordinates x, y, theta and their rates. The points p_i of the paper follow from
+/// it (model/points.h), as rods keep cubes rigid.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel {
+
+/// State of one cube.
+struct BodyState {
+  Vec2 position = Vec2::Zero();  ///< m, centre
+  double angle = 0.0;            ///< rad, counter-clockwise
+  Vec2 velocity = Vec2::Zero();  ///< m/s, of the centre
+  double spin = 0.0;             ///< rad/s
+};
+
+/// Velocity, acceleration, impulse ... of one cube as a rigid body.
+struct Twist {
+  Vec2 linear = Vec2::Zero();  ///< of the centre
+  double angular = 0.0;
+};
+
+/// One per cube, in the order of the scene.
+using State = std::vector<BodyState>;
+
+}  // namespace wuerfel
