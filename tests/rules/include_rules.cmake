@@ -1,0 +1,62 @@
+# Fails where a module includes what it must not know:
+#   app -> render -> core/snapshot.h,  app -> core
+#   inside core: geometry <- scene <- model <- constraints <- dynamics <- time, and qp beside them
+# Run: cmake -DROOT=<source folder> -P include_rules.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(project_folders "app|core|render|tests|assets")
+set(library_headers "GL/|ft2build|png\\.h|cairo|coin|Ip[A-Z]|toml\\+\\+/|nlohmann/|CLI/|Eigen/|fmt/|gtest/|gmock/")
+
+# Every include of a file of `files` that looks like one of the project's own or of a known library has to match one of
+# the patterns that follow.
+function(may_include files)
+  list(JOIN ARGN "|" allowed)
+  foreach(source IN LISTS files)
+    file(STRINGS ${source} lines REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"]*)[>\"].*$" "\\1" header "${line}")
+      if(header MATCHES "^(${project_folders})/|^(${library_headers})" AND NOT header MATCHES "^(${allowed})")
+        message(SEND_ERROR "${source} must not include ${header}")
+      elseif(line MATCHES "\"" AND NOT header MATCHES "^(${project_folders})/")
+        message(SEND_ERROR "${source}: write \"${header}\" from the root")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+function(sources_below folder result)
+  file(GLOB_RECURSE found ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
+  set(${result} ${found} PARENT_SCOPE)
+endfunction()
+
+sources_below(app app)
+may_include("${app}" app/ render/ core/ CLI/ nlohmann/ fmt/ Eigen/)
+
+sources_below(render render)
+may_include("${render}" render/ core/snapshot\\.h GL/ ft2build png\\.h cairo Eigen/ fmt/)
+
+# Each folder of core knows itself and what stands before it.
+set(settings core/settings\\.h)
+set(known_core_folders geometry scene model constraints dynamics qp time)
+set(geometry core/geometry/ Eigen/)
+set(scene ${geometry} core/scene/ toml\\+\\+/ nlohmann/ fmt/)
+set(model ${geometry} core/scene/scene\\.h core/model/)
+set(constraints ${model} core/constraints/)
+set(qp core/qp/ Ip[A-Z] coin Eigen/)
+set(dynamics ${constraints} core/dynamics/ core/qp/q ${settings})
+set(time ${dynamics} core/time/ core/snapshot\\.h core/scene/ core/check\\.h fmt/)
+
+foreach(folder IN LISTS known_core_folders)
+  sources_below(core/${folder} found)
+  may_include("${found}" ${${folder}})
+endforeach()
+
+file(GLOB core_root ${ROOT}/core/*.h ${ROOT}/core/*.cpp)
+may_include("${core_root}" core/ Eigen/ fmt/)
+
+file(GLOB core_folders RELATIVE ${ROOT}/core LIST_DIRECTORIES true ${ROOT}/core/*)
+foreach(folder IN LISTS core_folders)
+  if(IS_DIRECTORY ${ROOT}/core/${folder} AND NOT folder IN_LIST known_core_folders)
+    message(SEND_ERROR "core/${folder} has no rule in tests/rules/include_rules.cmake")
+  endif()
+endforeach()
