@@ -14,17 +14,19 @@ enum class QpStatus {
   inaccurate,   ///< a usable point whose residual misses the tolerance; never to be used silently
   infeasible,   ///< no x satisfies the restrictions
   invalid,      ///< the program itself is malformed (NaN, mass <= 0, wrong sizes)
-  unavailable,  ///< the solver could not be loaded
+  unavailable,  ///< the solver could not be loaded; QpSolver::trouble() says why
 };
 std::string_view to_string(QpStatus status);
 
-/// Optimality residual of a point, found by an independent function (design, section 1, "How right a solution is").
-/// All four are relative: forces to the largest force at hand, lengths of accelerations to the largest |f|.
+/// Optimality residual of a point, found by an independent function. All four are relative: forces
+/// to the largest force at hand (a multiplier times its row, or a weight M f), accelerations to the
+/// largest at hand (f, or b over its row). Complementarity is a smaller-of, not a product: a
+/// product of 1e-10 still allows accelerations wrong by 1e-5 g.
 struct QpResidual {
   double stationarity = 0.0;     ///< |M (x - f) - J' lambda|
   double primal = 0.0;           ///< violation of J x = b and J x >= b
   double dual = 0.0;             ///< violation of force_min <= lambda <= force_max
-  double complementarity = 0.0;  ///< max_i min(lambda_i, slack_i), not their product
+  double complementarity = 0.0;  ///< max_i min(lambda_i - force_min_i, slack_i), and likewise above
   [[nodiscard]] double worst() const;
 };
 
@@ -36,7 +38,8 @@ struct [[nodiscard]] QpResult {
   int iterations = 0;
 };
 
-/// Independent of every solver. `x` of size n, `multiplier` of size m.
+/// Independent of every solver. `x` of size n, `multiplier` of size m; infinite where one of them
+/// is not a number.
 QpResidual optimality_residual(const QuadraticProgram& program,
                                const std::vector<double>& x,
                                const std::vector<double>& multiplier);
@@ -47,17 +50,24 @@ std::string_view defect(const QuadraticProgram& program);
 class QpSolver {
  public:
   virtual ~QpSolver() = default;
-  /// Solves into `result`, whose vectors are reused. A malformed program gives a status, never an exception.
+  /// Solves into `result`, whose vectors are reused. A malformed program gives a status, never an
+  /// exception.
   virtual void solve(const QuadraticProgram& program, QpResult& result) = 0;
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Why the last answer was `invalid` or `unavailable`, for people; empty otherwise.
+  [[nodiscard]] virtual std::string_view trouble() const { return {}; }
   /// Forgets what was remembered of earlier programs (warm start, symbolic work).
   virtual void forget() {}
 };
 
-enum class QpMethod { ipopt };
+enum class QpMethod {
+  ipopt,  ///< the independent referee: milliseconds even for one cube, driven to rounding
+};
+std::string_view to_string(QpMethod method);
 
 struct QpSettings {
-  double tolerance = 1e-10;  ///< on QpResidual::worst(); smaller is slower and ends at rounding, about 1e-13
+  double tolerance =
+      1e-10;  ///< on QpResidual::worst(); smaller is slower and ends at rounding, about 1e-13
 };
 
 std::unique_ptr<QpSolver> make_qp_solver(QpMethod method, const QpSettings& settings = {});

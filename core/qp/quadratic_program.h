@@ -1,4 +1,5 @@
-/// The one problem type of the house. Gauss' principle (9), Moreau's impact law and the length correction are all
+/// The one problem type of the house. Gauss' principle (9), Moreau's impact law and the length
+/// correction are all
 ///
 ///     minimise  1/2 (x - f)' M (x - f)    subject to    J_e x = b_e,   J_s x >= b_s
 ///
@@ -8,7 +9,8 @@
 ///
 ///     equality (rod)              (-inf, inf)   J x  = b
 ///     inequality (side)           [0, inf)      J x >= b,  lambda >= 0,  lambda (J x - b) = 0
-///     bounded (Coulomb friction)  [-r, r]       lambda = r where J x < b, -r where J x > b, between them J x = b
+///     bounded (Coulomb friction)  [-r, r]       lambda = r where J x < b, -r where J x > b,
+///     between them J x = b
 ///
 /// so that friction needs no second problem type. Nothing here knows of cubes.
 #pragma once
@@ -22,13 +24,14 @@ namespace wuerfel {
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 struct QuadraticProgram {
-  /// Unknowns come in blocks (3 of a rigid cube, 2 of a point); rows couple few blocks, and solvers work on the
-  /// graph of blocks.
+  /// Unknowns come in blocks (3 of a rigid cube, 2 of a point); rows couple few blocks, and solvers
+  /// work on the graph of blocks.
   int block_size = 3;
   std::vector<double> mass;    ///< diagonal of M, > 0; size n = blocks * block_size
   std::vector<double> target;  ///< f; size n
 
-  // Rows, compressed: entries of row i are row_start[i] .. row_start[i+1]-1. Within a row every block occurs once.
+  // Rows, compressed: entries of row i are row_start[i] .. row_start[i+1]-1. Within a row every
+  // block occurs once.
   std::vector<double> bound;         ///< b; size m
   std::vector<double> force_min;     ///< smallest multiplier; size m, -inf or <= 0
   std::vector<double> force_max;     ///< largest multiplier; size m, +inf or >= 0
@@ -41,17 +44,20 @@ struct QuadraticProgram {
   [[nodiscard]] int rows() const { return static_cast<int>(bound.size()); }
   [[nodiscard]] int entries() const { return row_start.back(); }
   [[nodiscard]] bool is_equality(int row) const {
-    return force_min[static_cast<std::size_t>(row)] == -unbounded && force_max[static_cast<std::size_t>(row)] == unbounded;
+    return force_min[static_cast<std::size_t>(row)] == -unbounded
+           && force_max[static_cast<std::size_t>(row)] == unbounded;
   }
   [[nodiscard]] std::span<const double> entry(int e) const {
-    return {coefficients.data() + static_cast<std::size_t>(e) * static_cast<std::size_t>(block_size),
-            static_cast<std::size_t>(block_size)};
+    return {
+        coefficients.data() + static_cast<std::size_t>(e) * static_cast<std::size_t>(block_size),
+        static_cast<std::size_t>(block_size)};
   }
 
   /// Forgets the program and keeps the memory.
   void clear(int new_block_size) {
     block_size = new_block_size;
-    for (auto* v : {&mass, &target, &bound, &force_min, &force_max, &coefficients}) v->clear();
+    for (auto* v : {&mass, &target, &bound, &force_min, &force_max, &coefficients})
+      v->clear();
     row_start.assign(1, 0);
     entry_block.clear();
   }

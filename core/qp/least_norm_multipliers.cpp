@@ -1,0 +1,281 @@
+#include "core/qp/least_norm_multipliers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Dense>
+
+#include "core/qp/non_negative_least_squares.h"
+#include "core/qp/optimality_residual.h"
+
+namespace wuerfel {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// The tight rows as columns of A, so that A l = r balances, with lower <= l <= upper.
+struct ForceBalance {
+  std::vector<int> row;  ///< of the program, per column
+  MatrixXd A;
+  VectorXd r;
+  VectorXd lower, upper, weight;
+};
+
+double row_slack(const QuadraticProgram& p, int row, const std::vector<double>& x) {
+  double slack = -p.bound[at(row)];
+  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e)
+    for (int c = 0; c < p.block_size; ++c)
+      slack += p.entry(e)[at(c)] * x[at(p.entry_block[at(e)] * p.block_size + c)];
+  return slack;
+}
+
+/// Adds multiplier * row to a vector of forces.
+template <typename Forces>
+void add_row_force(const QuadraticProgram& p, int row, double multiplier, Forces&& forces) {
+  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e)
+    for (int c = 0; c < p.block_size; ++c)
+      forces[p.entry_block[at(e)] * p.block_size + c] += multiplier * p.entry(e)[at(c)];
+}
+
+/// Multipliers of rows that are not tight are put into `fixed`; the others are unknown.
+ForceBalance force_balance(const QuadraticProgram& p,
+                           const std::vector<double>& x,
+                           std::span<const double> weight,
+                           double tight,
+                           std::vector<double>& fixed) {
+  ResidualScales scales;
+  measure_scales(p, scales);
+  ForceBalance balance;
+  balance.r.resize(p.unknowns());
+  for (Index j = 0; j < balance.r.size(); ++j)
+    balance.r[j] = p.mass[at(j)] * (x[at(j)] - p.target[at(j)]);
+  for (int row = 0; row < p.rows(); ++row) {
+    const double slack = row_slack(p, row, x);
+    if (p.is_equality(row)
+        || std::abs(slack) <= tight * scales.row_norm[at(row)] * scales.acceleration) {
+      balance.row.push_back(row);
+      continue;
+    }
+    const double force = slack > 0.0 ? p.force_min[at(row)] : p.force_max[at(row)];
+    fixed[at(row)] = std::isfinite(force) ? force : 0.0;
+    add_row_force(p, row, -fixed[at(row)], balance.r);
+  }
+  const auto columns = static_cast<Index>(balance.row.size());
+  balance.A = MatrixXd::Zero(p.unknowns(), columns);
+  balance.lower.resize(columns);
+  balance.upper.resize(columns);
+  balance.weight = VectorXd::Ones(columns);
+  for (Index k = 0; k < columns; ++k) {
+    const int row = balance.row[at(k)];
+    add_row_force(p, row, 1.0, balance.A.col(k));
+    balance.lower[k] = p.force_min[at(row)];
+    balance.upper[k] = p.force_max[at(row)];
+    if (!weight.empty()) balance.weight[k] = weight[at(row)];
+  }
+  return balance;
+}
+
+/// Solutions of A l = r: one that is orthogonal to all directions in which l may change, and those
+/// directions.
+struct SolutionSet {
+  VectorXd particular;
+  MatrixXd directions;  ///< orthonormal columns
+};
+
+SolutionSet solution_set(const MatrixXd& A, const VectorXd& r, double rank_tolerance) {
+  if (A.cols() == 0) return {VectorXd(0), MatrixXd(0, 0)};
+  // Rows of unknowns are brought to unit length: heavy bodies do not decide the rank.
+  VectorXd scale = A.rowwise().norm();
+  scale = scale.unaryExpr([](double s) { return s > 0.0 ? 1.0 / s : 0.0; });
+  const MatrixXd S = scale.asDiagonal() * A;
+  const Eigen::BDCSVD<MatrixXd> svd(S, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const VectorXd& sigma = svd.singularValues();
+  Index rank = 0;
+  while (rank < sigma.size() && sigma[rank] > rank_tolerance * sigma[0])
+    ++rank;
+  const VectorXd part = (svd.matrixU().leftCols(rank).transpose() * (scale.asDiagonal() * r))
+                            .cwiseQuotient(sigma.head(rank));
+  SolutionSet set{svd.matrixV().leftCols(rank) * part, svd.matrixV().rightCols(A.cols() - rank)};
+  // One step of refinement.
+  const VectorXd rest = scale.asDiagonal() * (r - A * set.particular);
+  set.particular +=
+      svd.matrixV().leftCols(rank)
+      * (svd.matrixU().leftCols(rank).transpose() * rest).cwiseQuotient(sigma.head(rank));
+  return set;
+}
+
+/// One inequality a' w >= c on the coordinates w of the directions, and the column it comes from.
+struct HalfSpaces {
+  MatrixXd a;  ///< one per row
+  VectorXd c;
+  std::vector<Index> column;
+};
+
+/// The bounds of l = particular + directions w.
+HalfSpaces half_spaces(const SolutionSet& set, const VectorXd& lower, const VectorXd& upper) {
+  HalfSpaces h;
+  const Index n = set.particular.size();
+  const Index k = set.directions.cols();
+  h.a.resize(2 * n, k);
+  h.c.resize(2 * n);
+  Index count = 0;
+  for (Index i = 0; i < n; ++i) {
+    if (std::isfinite(lower[i])) {
+      h.a.row(count) = set.directions.row(i);
+      h.c[count++] = lower[i] - set.particular[i];
+      h.column.push_back(i);
+    }
+    if (std::isfinite(upper[i])) {
+      h.a.row(count) = -set.directions.row(i);
+      h.c[count++] = set.particular[i] - upper[i];
+      h.column.push_back(i);
+    }
+  }
+  h.a.conservativeResize(count, k);
+  h.c.conservativeResize(count);
+  return h;
+}
+
+/// min |w| subject to a w >= c: least distance programming, Lawson and Hanson (1974), chapter 23,
+/// section 4.
+VectorXd least_distance(const HalfSpaces& h, double scale) {
+  const Index k = h.a.cols();
+  if (h.a.rows() == 0 || k == 0 || h.c.maxCoeff() <= 0.0) return VectorXd::Zero(k);
+  MatrixXd E(k + 1, h.a.rows());
+  E.topRows(k) = h.a.transpose();
+  E.row(k) = h.c.transpose() / scale;
+  VectorXd f = VectorXd::Zero(k + 1);
+  f[k] = 1.0;
+  const VectorXd u = non_negative_least_squares(E, f);
+  // The rows with u > 0 hold with equality: solve for them directly, which is more exact than the
+  // formula with the residual.
+  std::vector<Index> active;
+  for (Index i = 0; i < u.size(); ++i)
+    if (u[i] > 0.0) active.push_back(i);
+  const MatrixXd a = h.a(active, Eigen::all);
+  const VectorXd c = h.c(active);
+  const VectorXd w = a.completeOrthogonalDecomposition().solve(c);
+  // Where x is not optimal the half spaces may have nothing in common; then the bounds are missed
+  // by least squares elsewhere.
+  const bool found = w.allFinite() && (h.a * w - h.c).minCoeff() >= -1e-6 * scale;
+  return found ? w : VectorXd::Zero(k);
+}
+
+/// Whether l_i is the same over all solutions. From a solution, rows at a bound are either held
+/// there by the others (a non-negative combination of them vanishes) or some direction lets them
+/// leave; NNLS finds one or the other. What remains free spans all possible changes.
+std::vector<bool> find_unique(const ForceBalance& balance,
+                              const VectorXd& l,
+                              double rank_tolerance) {
+  constexpr double small = 1e-8;
+  const SolutionSet set = solution_set(balance.A, balance.r, rank_tolerance);
+  const HalfSpaces h = half_spaces(set, balance.lower, balance.upper);
+  const VectorXd w = set.directions.transpose() * (l - set.particular);
+  const double scale = l.size() > 0 ? l.cwiseAbs().maxCoeff() : 0.0;
+  std::vector<Index> open;  // half spaces at their bound, not yet decided
+  for (Index i = 0; i < h.a.rows(); ++i)
+    if (h.a.row(i) * w - h.c[i] <= small * scale && h.a.row(i).norm() > small) open.push_back(i);
+  std::vector<Index> held;
+  while (!open.empty()) {
+    const MatrixXd all = h.a(open, Eigen::all).transpose();
+    const Index last = all.cols() - 1;
+    const VectorXd u = non_negative_least_squares(all.leftCols(last), -all.col(last));
+    const VectorXd way = all.leftCols(last) * u + all.col(last);
+    std::vector<Index> rest;
+    const bool blocked = way.norm() <= small * all.col(last).norm();
+    for (Index k = 0; k <= last; ++k) {
+      const bool decided =
+          k == last || (blocked ? u[k] > small : all.col(k).dot(way) > small * way.norm());
+      if (!decided) rest.push_back(open[at(k)]);
+      if (decided && blocked) held.push_back(open[at(k)]);
+    }
+    open = rest;
+  }
+  MatrixXd free = set.directions;
+  if (!held.empty() && free.cols() > 0) {
+    const MatrixXd a = h.a(held, Eigen::all);
+    const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeFullV);
+    const Index rank = (svd.singularValues().array() > small * svd.singularValues()[0]).count();
+    free = set.directions * svd.matrixV().rightCols(free.cols() - rank);
+  }
+  std::vector<bool> unique(at(set.particular.size()));
+  for (Index i = 0; i < set.particular.size(); ++i)
+    unique[at(i)] = free.cols() == 0 || free.row(i).norm() <= small;
+  return unique;
+}
+
+/// A weighted problem in l_i = weight_i lambda_i; columns of weight 0 (equalities) are projected
+/// out of the balance.
+struct Weighted {
+  std::vector<Index> counted, idle;
+  MatrixXd A;  ///< counted columns
+  VectorXd r, lower, upper;
+};
+
+Weighted weighted(const ForceBalance& balance) {
+  Weighted w;
+  for (Index k = 0; k < balance.A.cols(); ++k)
+    (balance.weight[k] > 0.0 ? w.counted : w.idle).push_back(k);
+  const VectorXd inverse = balance.weight(w.counted).cwiseInverse();
+  w.A = MatrixXd(balance.A(Eigen::all, w.counted)) * inverse.asDiagonal();
+  w.r = balance.r;
+  w.lower = VectorXd(balance.lower(w.counted)).cwiseQuotient(inverse);
+  w.upper = VectorXd(balance.upper(w.counted)).cwiseQuotient(inverse);
+  if (w.idle.empty()) return w;
+  const Eigen::JacobiSVD<MatrixXd> svd(MatrixXd(balance.A(Eigen::all, w.idle)),
+                                       Eigen::ComputeFullU);
+  const Index rank = (svd.singularValues().array() > 1e-10 * svd.singularValues()[0]).count();
+  const MatrixXd rest = svd.matrixU().rightCols(svd.matrixU().cols() - rank).transpose();
+  w.A = MatrixXd(rest * w.A);
+  w.r = VectorXd(rest * w.r);
+  return w;
+}
+
+}  // namespace
+
+LeastNormMultipliers least_norm_multipliers(const QuadraticProgram& program,
+                                            const std::vector<double>& x,
+                                            std::span<const double> weight,
+                                            const LeastNormSettings& settings) {
+  LeastNormMultipliers result;
+  result.multiplier.assign(program.bound.size(), 0.0);
+  result.unique.assign(program.bound.size(), true);
+  const ForceBalance balance = force_balance(program, x, weight, settings.tight, result.multiplier);
+  const Weighted counted = weighted(balance);
+
+  const SolutionSet set = solution_set(counted.A, counted.r, settings.rank);
+  const HalfSpaces half = half_spaces(set, counted.lower, counted.upper);
+  const double scale =
+      set.particular.size() > 0 ? std::max(set.particular.cwiseAbs().maxCoeff(), 1e-300) : 1.0;
+  const VectorXd w = least_distance(half, scale);
+
+  VectorXd lambda = VectorXd::Zero(balance.A.cols());
+  for (std::size_t k = 0; k < counted.counted.size(); ++k) {
+    const Index column = counted.counted[k];
+    const double l =
+        set.particular[static_cast<Index>(k)] + set.directions.row(static_cast<Index>(k)).dot(w);
+    lambda[column] =
+        std::clamp(l / balance.weight[column], balance.lower[column], balance.upper[column]);
+  }
+  if (!counted.idle.empty()) {
+    const MatrixXd A_idle = balance.A(Eigen::all, counted.idle);
+    const SolutionSet idle = solution_set(A_idle, balance.r - balance.A * lambda, settings.rank);
+    for (std::size_t k = 0; k < counted.idle.size(); ++k)
+      lambda[counted.idle[k]] = idle.particular[static_cast<Index>(k)];
+  }
+  const std::vector<bool> unique = find_unique(balance, lambda, settings.rank);
+  for (std::size_t k = 0; k < balance.row.size(); ++k)
+    result.unique[at(balance.row[k])] = unique[k];
+  for (std::size_t k = 0; k < balance.row.size(); ++k)
+    result.multiplier[at(balance.row[k])] = lambda[static_cast<Index>(k)];
+  const double force = balance.r.size() > 0 ? balance.r.cwiseAbs().maxCoeff() : 0.0;
+  if (force > 0.0) result.misfit = (balance.r - balance.A * lambda).cwiseAbs().maxCoeff() / force;
+  return result;
+}
+
+}  // namespace wuerfel

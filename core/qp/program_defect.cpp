@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/qp/qp_solver.h"
+
+namespace wuerfel {
+namespace {
+
+bool all_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+}
+
+std::string_view size_defect(const QuadraticProgram& p) {
+  const std::size_t rows = p.bound.size();
+  if (p.block_size < 1) return "the block size is not positive";
+  if (p.mass.size() % static_cast<std::size_t>(p.block_size) != 0)
+    return "the masses do not fill whole blocks";
+  if (p.target.size() != p.mass.size()) return "there are not as many targets as masses";
+  if (p.force_min.size() != rows || p.force_max.size() != rows)
+    return "a row lacks its range of forces";
+  if (p.row_start.size() != rows + 1 || p.row_start.front() != 0)
+    return "the row starts do not fit the rows";
+  if (!std::ranges::is_sorted(p.row_start)) return "the row starts do not increase";
+  if (static_cast<std::size_t>(p.entries()) != p.entry_block.size())
+    return "the row starts do not fit the entries";
+  if (p.coefficients.size() != p.entry_block.size() * static_cast<std::size_t>(p.block_size))
+    return "the coefficients do not fit the entries";
+  return {};
+}
+
+bool repeats_a_block(const QuadraticProgram& p, int row) {
+  const auto first = p.entry_block.begin() + p.row_start[static_cast<std::size_t>(row)];
+  const auto last = p.entry_block.begin() + p.row_start[static_cast<std::size_t>(row) + 1];
+  for (auto e = first; e != last; ++e)
+    if (std::find(first, e, *e) != e) return true;
+  return false;
+}
+
+std::string_view entry_defect(const QuadraticProgram& p) {
+  const int blocks = p.blocks();
+  if (std::ranges::any_of(p.entry_block, [&](int b) { return b < 0 || b >= blocks; }))
+    return "a row names a block that does not exist";
+  for (int row = 0; row < p.rows(); ++row)
+    if (repeats_a_block(p, row)) return "a row names a block twice";
+  return {};
+}
+
+std::string_view value_defect(const QuadraticProgram& p) {
+  if (!all_finite(p.mass) || !std::ranges::all_of(p.mass, [](double m) { return m > 0.0; }))
+    return "a mass is not a positive number";
+  if (!all_finite(p.target)) return "a target is not a number";
+  if (!all_finite(p.bound)) return "a bound is not a number";
+  if (!all_finite(p.coefficients)) return "a coefficient is not a number";
+  // Written so that NaN is caught as well.
+  if (!std::ranges::all_of(p.force_min, [](double f) { return f <= 0.0; }))
+    return "a smallest force is not <= 0";
+  if (!std::ranges::all_of(p.force_max, [](double f) { return f >= 0.0; }))
+    return "a largest force is not >= 0";
+  return {};
+}
+
+}  // namespace
+
+std::string_view defect(const QuadraticProgram& program) {
+  for (auto* find : {&size_defect, &entry_defect, &value_defect})
+    if (const std::string_view found = find(program); !found.empty()) return found;
+  return {};
+}
+
+}  // namespace wuerfel
