@@ -1,5 +1,5 @@
-/// Snapshot: everything a picture may know of the physics. Plain values, no behaviour; the only header of core
-/// that the renderer includes.
+/// Snapshot: everything a picture may know of the physics. Plain values, no behaviour; the only
+/// header of core that the renderer includes.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ enum class ForceKind { contact, friction, rod_tension, rod_compression };
 /// A posed rectangle: a cube, or a fixed box.
 struct SnapshotBox {
   std::string name;
-  Vec2 center = Vec2::Zero();     ///< m
-  double angle = 0.0;             ///< rad, counter-clockwise
-  Vec2 size = Vec2::Ones();       ///< m
-  bool fixed = false;             ///< drawn as ground, without rods
-  int color_index = 0;            ///< running number of the cube: position in the theme's palette
+  Vec2 center = Vec2::Zero();  ///< m
+  double angle = 0.0;          ///< rad, counter-clockwise
+  Vec2 size = Vec2::Ones();    ///< m
+  bool fixed = false;          ///< drawn as ground, without rods
+  int color_index = 0;         ///< running number of the cube: position in the theme's palette
   std::optional<std::array<std::uint8_t, 3>> color;  ///< RGB that the scene asks for
-  Vec2 velocity = Vec2::Zero();   ///< m/s, of the centre
-  double spin = 0.0;              ///< rad/s
+  Vec2 velocity = Vec2::Zero();                      ///< m/s, of the centre
+  double spin = 0.0;                                 ///< rad/s
 };
 
 /// A fixed half-plane.
@@ -39,6 +39,8 @@ struct SnapshotForce {
   Vec2 point = Vec2::Zero();  ///< m
   Vec2 force = Vec2::Zero();  ///< N, acts on the body that it points into
   ForceKind kind = ForceKind::contact;
+  int body = -1;  ///< index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a little towards
+                  ///< it, so that forces on neighbours at one point don't hide each other
 };
 
 /// A rod (Stange) of a cube with its tension.
@@ -54,7 +56,8 @@ struct SnapshotPoint {
   double mass = 0.0;             ///< kg
 };
 
-/// A touching point: corner p_k on the side (p_i, p_j), with the unit normal into the corner's body.
+/// A touching point: corner p_k on the side (p_i, p_j), with the unit normal into the corner's
+/// body.
 struct SnapshotContact {
   Vec2 p_i = Vec2::Zero();
   Vec2 p_j = Vec2::Zero();
@@ -62,17 +65,35 @@ struct SnapshotContact {
   Vec2 normal = Vec2::UnitY();
 };
 
+/// The triangle of Eq. (2), drawn with its sign: corner p_k before or behind the side (p_i, p_j).
+/// Unlike a contact it need not touch.
+struct SnapshotSide {
+  Vec2 p_i = Vec2::Zero();  ///< m
+  Vec2 p_j = Vec2::Zero();  ///< m
+  Vec2 p_k = Vec2::Zero();  ///< m
+  double area = 0.0;        ///< m^2, A of Eq. (2): twice the signed area, outside is positive
+};
+
+/// Where the centre of a cube has been up to now, oldest first.
+struct SnapshotTrail {
+  int color_index = 0;
+  std::optional<std::array<std::uint8_t, 3>> color;
+  std::vector<Vec2> path;  ///< m
+};
+
 struct Snapshot {
-  double time = 0.0;          ///< s
+  double time = 0.0;  ///< s
   std::string title;
-  double energy = 0.0;        ///< J, kinetic and potential
-  std::uint64_t revision = 0; ///< equal revisions: equal pictures but for the time shown
+  double energy = 0.0;         ///< J, kinetic and potential
+  std::uint64_t revision = 0;  ///< equal revisions: equal pictures but for the time shown
   std::vector<SnapshotBox> boxes;
   std::vector<SnapshotPlane> planes;
   std::vector<SnapshotForce> forces;
-  std::vector<SnapshotRod> rods;        ///< filled only when asked for
-  std::vector<SnapshotPoint> points;    ///< filled only when asked for
-  std::vector<SnapshotContact> contacts; ///< filled only when asked for
+  std::vector<SnapshotRod> rods;          ///< filled only when asked for
+  std::vector<SnapshotPoint> points;      ///< filled only when asked for
+  std::vector<SnapshotContact> contacts;  ///< filled only when asked for
+  std::vector<SnapshotSide> sides;        ///< filled only when asked for
+  std::vector<SnapshotTrail> trails;      ///< filled only when asked for
 };
 
 }  // namespace wuerfel

@@ -1,0 +1,42 @@
+/// Colours as they lie in an image: 8 bits a channel, straight alpha, sRGB.
+#pragma once
+
+#include <cstdint>
+
+namespace wuerfel {
+
+struct Color {
+  std::uint8_t r = 0;
+  std::uint8_t g = 0;
+  std::uint8_t b = 0;
+  std::uint8_t a = 255;
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// 0xRRGGBB, opaque.
+constexpr Color rgb(std::uint32_t hex) {
+  return {static_cast<std::uint8_t>((hex >> 16U) & 0xFFU),
+          static_cast<std::uint8_t>((hex >> 8U) & 0xFFU), static_cast<std::uint8_t>(hex & 0xFFU),
+          255};
+}
+
+/// The colour at `share` (0..1) of the way from `from` to `to`, alpha too.
+constexpr Color mix(Color from, Color to, double share) {
+  const auto channel = [share](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(a + (b - a) * share + 0.5);
+  };
+  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b),
+          channel(from.a, to.a)};
+}
+
+constexpr Color with_alpha(Color color, double alpha) {
+  color.a = static_cast<std::uint8_t>(alpha * 255.0 + 0.5);
+  return color;
+}
+
+/// Perceived brightness (Rec. 709 luma), 0 black .. 1 white.
+constexpr double brightness(Color color) {
+  return (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b) / 255.0;
+}
+
+}  // namespace wuerfel

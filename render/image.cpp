@@ -1,0 +1,71 @@
+#include "render/image.h"
+
+#include <algorithm>
+#include <string>
+
+#include "render/error.h"
+
+namespace wuerfel {
+namespace {
+
+constexpr int largest_side = 16384;
+
+}  // namespace
+
+Image::Image(int width, int height, Color color) : width_(width), height_(height) {
+  if (width < 1 || height < 1 || width > largest_side || height > largest_side) {
+    throw RenderError("a picture of " + std::to_string(width) + "x" + std::to_string(height)
+                      + " pixels is not possible: each side must be 1 to "
+                      + std::to_string(largest_side));
+  }
+  bytes_.resize(offset(0, height));
+  for (std::size_t i = 0; i < bytes_.size(); i += 4) {
+    bytes_[i] = color.r;
+    bytes_[i + 1] = color.g;
+    bytes_[i + 2] = color.b;
+    bytes_[i + 3] = color.a;
+  }
+}
+
+void Image::set(int x, int y, Color color) {
+  std::uint8_t* p = bytes_.data() + offset(x, y);
+  p[0] = color.r;
+  p[1] = color.g;
+  p[2] = color.b;
+  p[3] = color.a;
+}
+
+bool Image::opaque() const {
+  for (std::size_t i = 3; i < bytes_.size(); i += 4) {
+    if (bytes_[i] != 255) return false;
+  }
+  return true;
+}
+
+void paste(const Image& source, int x, int y, Image& target) {
+  const int from = std::max(0, -x);
+  const int to = std::min(source.width(), target.width() - x);
+  if (from >= to) return;
+  for (int row = std::max(0, -y); row < std::min(source.height(), target.height() - y); ++row) {
+    std::copy(source.row(row) + 4 * static_cast<std::ptrdiff_t>(from),
+              source.row(row) + 4 * static_cast<std::ptrdiff_t>(to),
+              target.row(row + y) + 4 * static_cast<std::ptrdiff_t>(from + x));
+  }
+}
+
+std::uint64_t pixel_hash(const Image& image) {
+  constexpr std::uint64_t offset_basis = 0xCBF29CE484222325U;
+  constexpr std::uint64_t prime = 0x100000001B3U;
+  std::uint64_t hash = offset_basis;
+  const auto mix_in = [&hash](std::uint8_t byte) { hash = (hash ^ byte) * prime; };
+  for (const int side : {image.width(), image.height()}) {
+    for (int shift = 0; shift < 32; shift += 8) {
+      mix_in(static_cast<std::uint8_t>((static_cast<std::uint32_t>(side) >> shift) & 0xFFU));
+    }
+  }
+  for (const std::uint8_t byte : image.bytes())
+    mix_in(byte);
+  return hash;
+}
+
+}  // namespace wuerfel

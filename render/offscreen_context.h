@@ -1,0 +1,66 @@
+/// OffscreenContext: OpenGL 3.3 core without a window, drawn by the processor (OSMesa's llvmpipe)
+/// straight into an Image. Nothing else knows OSMesa, which Mesa 25.1 removed: another context can
+/// take its place here.
+#pragma once
+
+// The prototypes give the function types; the functions themselves are found at run time.
+#define GL_GLEXT_PROTOTYPES
+#include <string>
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "render/image.h"
+
+namespace wuerfel {
+
+/// Every OpenGL function that is used, once.
+// clang-format off
+#define WUERFEL_GL_FUNCTIONS(X)                                                                        \
+  X(AttachShader) X(BindBuffer) X(BindVertexArray) X(BlendFunc) X(BufferData) X(Clear) X(ClearColor)   \
+  X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteProgram) X(DeleteShader)  \
+  X(DeleteVertexArrays) X(DrawArraysInstanced) X(Enable) X(EnableVertexAttribArray) X(Finish)          \
+  X(GenBuffers) X(GenVertexArrays) X(GetError) X(GetProgramInfoLog) X(GetProgramiv)                    \
+  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(ShaderSource) \
+  X(Uniform2f) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribPointer) X(Viewport)
+// clang-format on
+
+struct GlFunctions {
+#define WUERFEL_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
+  WUERFEL_GL_FUNCTIONS(WUERFEL_GL_MEMBER)
+#undef WUERFEL_GL_MEMBER
+};
+
+/// How many threads the rasteriser may use. It reads this once per process, when the first context
+/// is made.
+enum class RasterThreads {
+  all,     ///< one per core: single pictures
+  caller,  ///< the drawing thread alone: another stage of a pipeline fills the other cores
+};
+
+class OffscreenContext {
+ public:
+  /// Loads OSMesa and makes a context. Throws RenderError where OSMesa is missing, has no core 3.3
+  /// or draws by anything else than llvmpipe (whose pixels are the ones we know).
+  explicit OffscreenContext(RasterThreads threads);
+  ~OffscreenContext();
+  OffscreenContext(const OffscreenContext&) = delete;
+  OffscreenContext& operator=(const OffscreenContext&) = delete;
+  OffscreenContext(OffscreenContext&&) = delete;
+  OffscreenContext& operator=(OffscreenContext&&) = delete;
+
+  /// What is drawn until the next call ends up in `image` (after glFinish), top row first.
+  void draw_into(Image& image);
+  const GlFunctions& gl() const { return gl_; }
+  /// GL_RENDERER and GL_VERSION, for manifests and bug reports.
+  const std::string& description() const { return description_; }
+
+ private:
+  struct Library;
+  const Library& library_;
+  void* context_ = nullptr;
+  GlFunctions gl_;
+  std::string description_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,39 @@
+/// PNG files: pixels and the texts they carry.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+
+namespace wuerfel {
+
+/// A text chunk. ASCII is written as tEXt, or zTXt where it is long; all else as iTXt (UTF-8).
+struct PngText {
+  std::string key;    ///< 1 to 79 Latin letters, digits, spaces
+  std::string value;  ///< UTF-8
+  friend bool operator==(const PngText&, const PngText&) = default;
+};
+
+struct PngFile {
+  Image image;
+  std::vector<PngText> texts;
+};
+
+/// The bytes of a PNG file: RGB where the image is opaque, else RGBA. The same image and texts give
+/// the same bytes.
+std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {});
+
+/// Reads what any program wrote (palette, grey, 16 bits become RGBA8). Throws RenderError on
+/// damaged data.
+PngFile decode_png(std::span<const std::uint8_t> bytes);
+
+/// Throws RenderError where the file is missing or no PNG; the message names it.
+PngFile read_png(const std::string& path);
+
+/// The file appears whole or not at all. Throws OutputError with the path and the system's reason.
+void write_png(const std::string& path, const Image& image, std::span<const PngText> texts = {});
+
+}  // namespace wuerfel

@@ -1,0 +1,104 @@
+#include "render/view.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "render/error.h"
+
+namespace wuerfel {
+namespace {
+
+/// The four corners of a posed box.
+std::array<Vec2, 4> corners(const SnapshotBox& box) {
+  const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
+  return {box.center - along - across, box.center + along - across, box.center + along + across,
+          box.center - along + across};
+}
+
+/// Ground farther away than the bodies are wide does not pull the picture towards it.
+void include_near_ground(const Snapshot& snapshot, Bounds& bounds) {
+  const Bounds bodies = bounds;
+  const double reach = 1.5 * std::max(bodies.size().x(), bodies.size().y());
+  for (const SnapshotPlane& plane : snapshot.planes) {
+    for (const Vec2& point : {bodies.min, bodies.max, Vec2(bodies.min.x(), bodies.max.y()),
+                              Vec2(bodies.max.x(), bodies.min.y())}) {
+      const double distance = (point - plane.point).dot(plane.normal);
+      if (distance > 0.0 && distance < reach) bounds.include(Vec2(point - distance * plane.normal));
+    }
+  }
+}
+
+}  // namespace
+
+void Bounds::include(const Vec2& point) {
+  min = min.cwiseMin(point);
+  max = max.cwiseMax(point);
+}
+
+void Bounds::include(const SnapshotBox& box) {
+  for (const Vec2& corner : corners(box))
+    include(corner);
+}
+
+void Bounds::include(const Snapshot& snapshot, double metres_per_newton) {
+  for (const SnapshotBox& box : snapshot.boxes)
+    include(box);
+  if (!empty()) include_near_ground(snapshot, *this);
+  if (metres_per_newton <= 0.0) return;
+  for (const SnapshotForce& force : snapshot.forces) {
+    include(Vec2(force.point + metres_per_newton * force.force));
+  }
+}
+
+View fit_view(const Bounds& bounds, int width, int height, const Insets& insets) {
+  const double room_x = std::max(width - insets.left - insets.right, 0.25 * width);
+  const double room_y = std::max(height - insets.top - insets.bottom, 0.25 * height);
+  Vec2 size = bounds.size();
+  if (std::max(size.x(), size.y()) <= 0.0) size = Vec2::Ones();
+  View view;
+  view.width = width;
+  view.height = height;
+  view.pixels_per_metre =
+      std::min(room_x / std::max(size.x(), 1e-300), room_y / std::max(size.y(), 1e-300));
+  if (bounds.empty()) return view;
+  const double middle_x = insets.left + 0.5 * (width - insets.left - insets.right);
+  view.center.x() =
+      0.5 * (bounds.min.x() + bounds.max.x()) + (0.5 * width - middle_x) / view.pixels_per_metre;
+  view.center.y() = bounds.min.y() + (0.5 * height - insets.bottom) / view.pixels_per_metre;
+  return view;
+}
+
+View fixed_view(const Vec2& center, double world_width, int width, int height) {
+  if (!(world_width > 0.0) || !std::isfinite(world_width) || !center.allFinite()) {
+    throw RenderError("a view needs a finite centre and a width greater than 0 m");
+  }
+  View view;
+  view.width = width;
+  view.height = height;
+  view.center = center;
+  view.pixels_per_metre = width / world_width;
+  return view;
+}
+
+View parse_view(std::string_view text, int width, int height) {
+  std::array<double, 3> values{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, values.at(i));
+    const bool separated = i + 1 == values.size() ? next == end : next != end && *next == ',';
+    if (error != std::errc{} || !separated) {
+      throw RenderError("'" + std::string(text)
+                        + "' is not a view: use fit, or x,y,width in metres such as 0,2.5,8");
+    }
+    at = next + 1;
+  }
+  return fixed_view(Vec2(values[0], values[1]), values[2], width, height);
+}
+
+}  // namespace wuerfel
