@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/state.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 
@@ -13,26 +14,21 @@ namespace wuerfel {
 enum class Verdict { stands, falls, moves, undecided };
 std::string_view to_string(Verdict verdict);
 
-struct CubeAcceleration {
-  Vec2 linear = Vec2::Zero();  ///< m/s^2, of the centre
-  double angular = 0.0;        ///< rad/s^2
-};
-
 struct ContactForce {
-  std::string on;    ///< the body that `normal` points into
+  std::string on;  ///< the body that `normal` points into
   std::string from;
-  Vec2 point = Vec2::Zero();     ///< m
-  Vec2 normal = Vec2::UnitY();   ///< unit vector into `on`
-  double force = 0.0;            ///< N, >= 0, acts on `on` along `normal`
-  double tangential = 0.0;       ///< N, along `normal` turned left
-  bool unique = true;            ///< whether no other force at this point is possible
+  Vec2 point = Vec2::Zero();    ///< m
+  Vec2 normal = Vec2::UnitY();  ///< unit vector into `on`
+  double force = 0.0;           ///< N, >= 0, acts on `on` along `normal`
+  double tangential = 0.0;      ///< N, along `normal` turned left
+  bool unique = true;           ///< whether no other force at this point is possible
 };
 
 struct Check {
   Verdict verdict = Verdict::undecided;
-  std::vector<CubeAcceleration> accelerations;  ///< in the order of Scene::cubes
-  std::vector<ContactForce> contacts;           ///< each contact once
-  double objective = 0.0;                       ///< sum m |a-g|^2 + I alpha^2
+  std::vector<Twist> accelerations;    ///< m/s^2 and rad/s^2, in the order of Scene::cubes
+  std::vector<ContactForce> contacts;  ///< each contact once
+  double objective = 0.0;              ///< sum m |a-g|^2 + I alpha^2
   double kkt_residual = 0.0;
 };
 

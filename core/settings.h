@@ -13,6 +13,7 @@ enum class Integrator {
 };
 enum class Formulation {
   points,  ///< the paper to the letter: every point an unknown, every rod a restriction
+  rigid,   ///< x, y, theta per cube; the same rows pulled back, no rods
 };
 
 struct MotionSettings {

@@ -1,8 +1,8 @@
 /// A posed rectangle: its corners, its sides and what lies outside of them.
 ///
-/// Corners 0 .. 3 run counter-clockwise from the lower left of the unturned box. Side e joins corners e and e + 1
-/// and is stored clockwise as the paper's (p_i, p_j) = (corner e + 1, corner e), so that Eq. (2) is positive outside
-/// and n = perp(p_j - p_i) points out.
+/// Corners 0 .. 3 run counter-clockwise from the lower left of the unturned box. Side e joins
+/// corners e and e + 1 and is stored clockwise as the paper's (p_i, p_j) = (corner e + 1, corner
+/// e), so that Eq. (2) is positive outside and n = perp(p_j - p_i) points out.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 namespace wuerfel {
 
 struct Box {
-  Vec2 center = Vec2::Zero();   ///< m
-  Vec2 half = Vec2::Zero();     ///< m, half width and half height
-  Vec2 axis = Vec2::UnitX();    ///< unit vector along the width: (cos, sin) of the angle
+  Vec2 center = Vec2::Zero();    ///< m
+  Vec2 half = Vec2::Zero();      ///< m, half width and half height
+  Vec2 axis = Vec2::UnitX();     ///< unit vector along the width: (cos, sin) of the angle
   std::array<Vec2, 4> arm = {};  ///< m, corners relative to the centre
 
   [[nodiscard]] Vec2 corner(int k) const { return center + arm[static_cast<std::size_t>(k)]; }
@@ -34,13 +34,13 @@ inline int next_corner(int k) { return (k + 1) & 3; }
 
 Box make_box(const Vec2& center, double angle, const Vec2& size);
 
-/// Separation of two boxes along the outward normal of side e of `a`: distance of the nearest corner of `b` from
-/// the side's line, negative inside. Differences of centres are taken first, so that far from the origin nothing is
-/// lost but the rounding of the positions themselves.
+/// Separation of two boxes along the outward normal of side e of `a`: distance of the nearest
+/// corner of `b` from the side's line, negative inside. Differences of centres are taken first, so
+/// that far from the origin nothing is lost but the rounding of the positions themselves.
 double side_separation(const Box& a, int e, const Box& b);
 
-/// Largest side separation over the eight sides (separating axes): negative where the boxes overlap, then minus the
-/// depth; where positive a lower bound of the distance.
+/// Largest side separation over the eight sides (separating axes): negative where the boxes
+/// overlap, then minus the depth; where positive a lower bound of the distance.
 double separation(const Box& a, const Box& b);
 
 /// Separation of a box from the half-plane at `point` with unit `normal` out of the solid.

@@ -21,8 +21,8 @@ struct Bounds {
 
 using IndexPair = std::pair<int, int>;
 
-/// Finds overlapping pairs with a balanced tree of bounds (median split of the centres); O(N log N + pairs) whatever
-/// the sizes and the arrangement. Keeps its memory from call to call.
+/// Finds overlapping pairs with a balanced tree of bounds (median split of the centres); O(N log N
+/// + pairs) whatever the sizes and the arrangement. Keeps its memory from call to call.
 class BroadPhase {
  public:
   /// Pairs (i, j), i < j, in ascending order.

@@ -28,7 +28,8 @@ double sine_kernel(double r) {
   return r + r * z * p;
 }
 
-/// cos r for |r| <= pi/4: Taylor series to r^18; 1 - z/2 is rounded once and its error carried along.
+/// cos r for |r| <= pi/4: Taylor series to r^18; 1 - z/2 is rounded once and its error carried
+/// along.
 double cosine_kernel(double r) {
   const double z = r * r;
   double p = -1.0 / 6402373705728000.0;

@@ -1,4 +1,5 @@
-/// Verteilung der Masse (Figure 7): a uniform rectangle as point masses with the same mass, centre and inertia.
+/// Verteilung der Masse (Figure 7): a uniform rectangle as point masses with the same mass, centre
+/// and inertia.
 #pragma once
 
 #include <array>
@@ -15,8 +16,9 @@ struct PointMass {
 
 inline constexpr int points_per_cube = 5;
 
-/// Corners m/12 each (order of Box) and the centre 2m/3. Exact: sum m_i |r_i|^2 = 4 (m/12) (w^2+h^2)/4
-/// = m (w^2+h^2)/12. With all mass in the corners the inertia would be three times too large.
+/// Corners m/12 each (order of Box) and the centre 2m/3. Exact: sum m_i |r_i|^2 = 4 (m/12)
+/// (w^2+h^2)/4 = m (w^2+h^2)/12. With all mass in the corners the inertia would be three times too
+/// large.
 std::array<PointMass, points_per_cube> mass_distribution(const Vec2& size, double mass);
 
 /// The finer variant: 3 x 3 points with the tensor Simpson weights 1:4:16, exact as well since the

@@ -46,7 +46,10 @@ Twist rigid_part(const std::array<Vec2, points_per_cube>& rates,
   return twist;
 }
 
-BodyState nearest_cube(const CubePoints& points, const Vec2& size, double mass, const BodyState& guess) {
+BodyState nearest_cube(const CubePoints& points,
+                       const Vec2& size,
+                       double mass,
+                       const BodyState& guess) {
   const auto masses = mass_distribution(size, mass);
   BodyState state = guess;
   state.position.setZero();

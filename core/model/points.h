@@ -1,4 +1,5 @@
-/// The paper's own state: the points p_i of a cube with their velocities, and the rods between them (Figure 2).
+/// The paper's own state: the points p_i of a cube with their velocities, and the rods between them
+/// (Figure 2).
 #pragma once
 
 #include <array>
@@ -22,20 +23,24 @@ struct RodEnds {
 
 inline constexpr int rods_per_cube = 8;
 
-/// Four sides and four spokes from the centre. Seven would do (ten unknowns, three motions); the eighth is what
-/// makes rod forces not unique and is kept for symmetry.
+/// Four sides and four spokes from the centre. Seven would do (ten unknowns, three motions); the
+/// eighth is what makes rod forces not unique and is kept for symmetry.
 inline constexpr std::array<RodEnds, rods_per_cube> cube_rods = {
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
 
 /// Points of a rigid cube: p = x + r, v = v_x + omega perp(r).
 CubePoints points_of(const BodyState& state, const Vec2& size);
 
-/// The nearest rigid cube to points that have drifted apart (Längenkorrektur of one cube): least sum of
-/// m_i |p_i - q_i|^2 and m_i |v_i - w_i|^2 over rigid positions q and velocities w; in closed form. `guess` gives
-/// the turn that the angle continues from.
-BodyState nearest_cube(const CubePoints& points, const Vec2& size, double mass, const BodyState& guess);
+/// The nearest rigid cube to points that have drifted apart (Längenkorrektur of one cube): least
+/// sum of m_i |p_i - q_i|^2 and m_i |v_i - w_i|^2 over rigid positions q and velocities w; in
+/// closed form. `guess` gives the turn that the angle continues from.
+BodyState nearest_cube(const CubePoints& points,
+                       const Vec2& size,
+                       double mass,
+                       const BodyState& guess);
 
-/// The rigid part of velocities or accelerations of the points: linear sum m a / sum m, angular sum m r x a / I.
+/// The rigid part of velocities or accelerations of the points: linear sum m a / sum m, angular sum
+/// m r x a / I.
 Twist rigid_part(const std::array<Vec2, points_per_cube>& rates,
                  const std::array<Vec2, points_per_cube>& arms,
                  const std::array<PointMass, points_per_cube>& masses);

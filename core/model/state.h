@@ -1,5 +1,5 @@
-/// State of the cubes: the reduced coordinates x, y, theta and their rates. The points p_i of the paper follow from
-/// it (model/points.h), as rods keep cubes rigid.
+/// State of the cubes: the reduced coordinates x, y, theta and their rates. The points p_i of the
+/// paper follow from it (model/points.h), as rods keep cubes rigid.
 #pragma once
 
 #include <vector>

@@ -15,12 +15,12 @@ enum class BodyKind { cube, fixed, plane };
 struct Body {
   std::string name;
   BodyKind kind = BodyKind::cube;
-  Vec2 size = Vec2::Zero();  ///< m; of boxes
-  double mass = 0.0;         ///< kg; of cubes
-  double inertia = 0.0;      ///< kg m^2, m (w^2 + h^2) / 12 about the centre; of cubes
-  Box box;                   ///< pose of a fixed box
-  Vec2 point = Vec2::Zero();     ///< m; of planes
-  Vec2 normal = Vec2::UnitY();   ///< unit vector out of the solid; of planes
+  Vec2 size = Vec2::Zero();     ///< m; of boxes
+  double mass = 0.0;            ///< kg; of cubes
+  double inertia = 0.0;         ///< kg m^2, m (w^2 + h^2) / 12 about the centre; of cubes
+  Box box;                      ///< pose of a fixed box
+  Vec2 point = Vec2::Zero();    ///< m; of planes
+  Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid; of planes
 };
 
 /// Bodies are numbered: cubes first, in the order of the scene, then fixed boxes, then planes.

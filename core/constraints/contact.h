@@ -1,0 +1,89 @@
+/// Contacts: triples (p_i, p_j, p_k) with Eq. (2) = 0, the candidates for active side restrictions.
+#pragma once
+
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "core/geometry/broad_phase.h"
+#include "core/model/system.h"
+
+namespace wuerfel {
+
+/// Touching means |gap| <= this share of the smaller side (design, "Which sides are active").
+inline constexpr double touch_tolerance = 1e-9;
+
+/// The share of max(sqrt(g side), |v|) up to which the gap's velocity counts as zero.
+inline constexpr double rate_tolerance = 1e-9;
+
+/// Corner p_k of body `on` at the side (p_i, p_j) of body `from`. Points are given by their arms
+/// from the centres, or, on planes and fixed boxes, from the same places with zero velocity.
+struct Contact {
+  int on = 0;                  ///< body of the corner; the normal points into it
+  int from = 0;                ///< body of the side
+  int corner = 0;              ///< number of p_k in `on`
+  int side = 0;                ///< number of the side in `from`; 0 for a plane
+  double gap = 0.0;            ///< m, negative inside
+  double alpha = 0.0;          ///< Eq. (5)
+  double length = 1.0;         ///< m, |p_j - p_i|
+  Vec2 point = Vec2::Zero();   ///< m, p_k
+  Vec2 normal = Vec2::Zero();  ///< unit vector perp(p_j - p_i) / |p_j - p_i|
+  Vec2 arm_k = Vec2::Zero();   ///< m, p_k from the centre of `on`
+  Vec2 arm_i = Vec2::Zero();   ///< m, p_i from the centre of `from`
+  Vec2 arm_j = Vec2::Zero();   ///< m, p_j from the centre of `from`
+
+  /// What stays the same from step to step.
+  [[nodiscard]] std::tuple<int, int, int, int> id() const { return {on, from, corner, side}; }
+};
+
+/// Velocities of the three points of a contact.
+struct ContactVelocity {
+  Vec2 v_i = Vec2::Zero();
+  Vec2 v_j = Vec2::Zero();
+  Vec2 v_k = Vec2::Zero();
+};
+
+ContactVelocity contact_velocity(const System& system, const State& state, const Contact& contact);
+
+/// Rate of the gap, m/s: Eq. (6) with the unit normal.
+double gap_rate(const Contact& contact, const ContactVelocity& velocity);
+
+enum class ContactMotion { closing, resting, opening };
+
+/// Eq. (3): closing where the gap's rate is negative (an impact is due), resting where it counts as
+/// zero.
+ContactMotion contact_motion(const System& system, const State& state, const Contact& contact);
+
+/// Length by which a contact's tolerances are measured: the smaller side of the two bodies, m.
+double contact_scale(const System& system, const Contact& contact);
+
+/// The same corner and side at other poses.
+Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact);
+
+/// Finds contacts. Keeps its memory, nothing else, from call to call.
+class ContactFinder {
+ public:
+  /// All contacts with gap <= touch_tolerance times the smaller side, in an order that depends on
+  /// the state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
+  /// manifold: design, section 1.
+  void find(const System& system, const State& state, std::vector<Contact>& contacts);
+
+  /// Boxes posed by the last `find`.
+  [[nodiscard]] std::span<const Box> boxes() const { return boxes_; }
+  /// Deepest overlap seen by the last `find` and between whom, m; 0 where there is none.
+  struct Overlap {
+    double depth = 0.0;
+    double scale = 1.0;  ///< m, the smaller side of the pair
+    int a = -1;
+    int b = -1;
+  };
+  [[nodiscard]] const Overlap& deepest() const { return deepest_; }
+
+ private:
+  std::vector<Box> boxes_;
+  std::vector<Bounds> bounds_;
+  BroadPhase broad_phase_;
+  Overlap deepest_;
+};
+
+}  // namespace wuerfel

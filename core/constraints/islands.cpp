@@ -1,0 +1,58 @@
+#include "core/constraints/islands.h"
+
+#include <numeric>
+
+namespace wuerfel {
+namespace {
+
+/// Root of a cube, with path halving (Tarjan, van Leeuwen 1984).
+int root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    int& up = parent[static_cast<std::size_t>(i)];
+    up = parent[static_cast<std::size_t>(up)];
+    i = up;
+  }
+  return i;
+}
+
+}  // namespace
+
+void find_islands(const System& system,
+                  const std::vector<Contact>& contacts,
+                  std::vector<Island>& islands) {
+  const auto n = static_cast<std::size_t>(system.cubes);
+  std::vector<int> parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<bool> touched(n, false);
+  for (const Contact& c : contacts) {
+    for (const int body : {c.on, c.from}) {
+      if (system.is_cube(body)) touched[static_cast<std::size_t>(body)] = true;
+    }
+    if (!system.is_cube(c.on) || !system.is_cube(c.from)) continue;
+    const int a = root(parent, c.on);
+    const int b = root(parent, c.from);
+    // The smaller index becomes the root, whatever the order of contacts.
+    parent[static_cast<std::size_t>(a > b ? a : b)] = a < b ? a : b;
+  }
+  std::vector<int> number(n, -1);
+  std::size_t used = 0;
+  for (int i = 0; i < system.cubes; ++i) {
+    if (!touched[static_cast<std::size_t>(i)]) continue;
+    int& k = number[static_cast<std::size_t>(root(parent, i))];
+    if (k < 0) {
+      k = static_cast<int>(used++);
+      if (islands.size() < used) islands.emplace_back();
+      islands[static_cast<std::size_t>(k)].cubes.clear();
+      islands[static_cast<std::size_t>(k)].contacts.clear();
+    }
+    islands[static_cast<std::size_t>(k)].cubes.push_back(i);
+  }
+  islands.resize(used);
+  for (const Contact& c : contacts) {
+    const int cube = system.is_cube(c.on) ? c.on : c.from;
+    const int k = number[static_cast<std::size_t>(root(parent, cube))];
+    islands[static_cast<std::size_t>(k)].contacts.push_back(c);
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,21 @@
+/// Islands: groups of cubes that touch one another. Each is a program of its own; cubes without
+/// contacts need none.
+#pragma once
+
+#include <vector>
+
+#include "core/constraints/contact.h"
+
+namespace wuerfel {
+
+struct Island {
+  std::vector<int> cubes;         ///< ascending
+  std::vector<Contact> contacts;  ///< of these cubes with one another and with what is fixed
+};
+
+/// Cubes joined by contacts, in the order of their first cube; free cubes belong to no island.
+void find_islands(const System& system,
+                  const std::vector<Contact>& contacts,
+                  std::vector<Island>& islands);
+
+}  // namespace wuerfel

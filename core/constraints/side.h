@@ -1,0 +1,67 @@
+/// Seitenrestriktion, Eq. (2)-(8): corner p_k stays outside the side (p_i, p_j) of another cube.
+///
+/// Sides are stored clockwise, so that n = perp(p_j - p_i) points out and A is positive outside.
+/// Multipliers of these rows are forces: multiplier times coefficient is the force on the point;
+/// contact force = lambda |p_j - p_i|. Every form here is compared with finite differences in
+/// tests/unit/constraints.
+#pragma once
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel {
+
+/// <g_i, x_i> + <g_j, x_j> + <g_k, x_k> + c >= 0 in the rates x of the three points.
+struct SideRow {
+  Vec2 g_i = Vec2::Zero();
+  Vec2 g_j = Vec2::Zero();
+  Vec2 g_k = Vec2::Zero();
+  double c = 0.0;
+};
+
+/// Eq. (2): twice the signed area of the triangle (the paper says area), m^2.
+inline double side_area(const Vec2& p_i, const Vec2& p_j, const Vec2& p_k) {
+  return det(p_j - p_i, p_k - p_i);
+}
+
+/// Eq. (5): alpha with p_k = alpha p_j + (1 - alpha) p_i, for p_k on the side's line (else of its
+/// foot).
+inline double edge_parameter(const Vec2& p_i, const Vec2& p_j, const Vec2& p_k) {
+  const Vec2 e = p_j - p_i;
+  return e.dot(p_k - p_i) / e.squaredNorm();
+}
+
+/// Eq. (3) at any position: A' as the sum of three determinants.
+inline double side_area_rate(const Vec2& p_i,
+                             const Vec2& p_j,
+                             const Vec2& p_k,
+                             const Vec2& v_i,
+                             const Vec2& v_j,
+                             const Vec2& v_k) {
+  return det(v_j - v_i, p_k - p_i) + det(p_j - p_i, v_k - v_i);
+}
+
+/// Eq. (6), the form of (3) where A = 0: <v_k, n> - alpha <v_j, n> - (1 - alpha) <v_i, n> >= 0.
+/// The print lacks the term (1 - alpha) <v_i, n>.
+inline SideRow side_velocity_row(const Vec2& p_i, const Vec2& p_j, double alpha) {
+  const Vec2 n = perp(p_j - p_i);
+  return {-(1.0 - alpha) * n, -alpha * n, n, 0.0};
+}
+
+/// Eq. (7), the form of (4) where A = A' = 0:
+/// <a_k, n> - alpha <a_j, n> - (1 - alpha) <a_i, n> + 2 (|v_i,v_j| + |v_j,v_k| + |v_k,v_i|) >= 0.
+/// The print lacks the factor 2 of the second derivative of a product; its third matrix in (4) must
+/// start 1 1 0.
+inline SideRow side_acceleration_row(const Vec2& p_i,
+                                     const Vec2& p_j,
+                                     double alpha,
+                                     const Vec2& v_i,
+                                     const Vec2& v_j,
+                                     const Vec2& v_k) {
+  SideRow row = side_velocity_row(p_i, p_j, alpha);
+  // The sum of the three determinants is |v_j - v_i, v_k - v_i|, which loses no digits to a common
+  // speed.
+  row.c = 2.0 * det(v_j - v_i, v_k - v_i);
+  return row;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,85 @@
+#include "core/dynamics/forces.h"
+
+#include <Eigen/QR>
+
+#include "core/constraints/side.h"
+#include "core/dynamics/programs.h"
+#include "core/qp/least_norm_multipliers.h"
+
+namespace wuerfel {
+
+ContactForces canonical_forces(const System& system,
+                               const State& state,
+                               const Island& island,
+                               const std::vector<Twist>& accelerations) {
+  std::vector<SideUse> use;
+  for (const Contact& contact : island.contacts) {
+    const bool active = contact_motion(system, state, contact) != ContactMotion::opening;
+    use.push_back(active ? SideUse::inequality : SideUse::none);
+  }
+  ProgramBuilder builder(system, Formulation::rigid);
+  builder.acceleration(state, island, use);
+  std::vector<double> x;
+  for (const Twist& a : accelerations) {
+    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
+  }
+  const LeastNormMultipliers least = least_norm_multipliers(builder.program(), x);
+  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (use[k] == SideUse::none) continue;
+    result.force[k] = least.multiplier[row];
+    result.unique[k] = least.unique[row] ? 1 : 0;
+    ++row;
+  }
+  return result;
+}
+
+std::array<double, rods_per_cube> rod_forces(const System& system,
+                                             const State& state,
+                                             int cube,
+                                             const Twist& acceleration,
+                                             const std::vector<Contact>& contacts,
+                                             const std::vector<double>& forces) {
+  const Body& body = system.body(cube);
+  const BodyState& s = state[static_cast<std::size_t>(cube)];
+  const CubePoints points = points_of(s, body.size);
+  const auto masses = mass_distribution(body.size, body.mass);
+  // What rods have to add to gravity and contact so that m_k a_k comes out.
+  Eigen::Matrix<double, 2 * points_per_cube, 1> missing;
+  for (int k = 0; k < points_per_cube; ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    const Vec2 r = points.p[n] - s.position;
+    const Vec2 a_k = acceleration.linear + acceleration.angular * perp(r) - s.spin * s.spin * r;
+    missing.segment<2>(2 * k) = masses[n].mass * (a_k - system.gravity);
+  }
+  for (std::size_t m = 0; m < contacts.size(); ++m) {
+    const Contact& c = contacts[m];
+    const SideRow row = side_velocity_row(c.arm_i, c.arm_j, c.alpha);
+    const double lambda = forces[m] / c.length;
+    if (c.on == cube) missing.segment<2>(2 * c.corner) -= lambda * row.g_k;
+    if (c.from == cube) {
+      missing.segment<2>(2 * next_corner(c.side)) -= lambda * row.g_i;
+      missing.segment<2>(2 * c.side) -= lambda * row.g_j;
+    }
+  }
+  Eigen::Matrix<double, 2 * points_per_cube, rods_per_cube> directions;
+  directions.setZero();
+  for (int m = 0; m < rods_per_cube; ++m) {
+    const RodEnds& rod = cube_rods[static_cast<std::size_t>(m)];
+    const Vec2 pull =
+        (points.p[static_cast<std::size_t>(rod.j)] - points.p[static_cast<std::size_t>(rod.i)])
+            .normalized();
+    directions.block<2, 1>(2 * rod.i, m) = pull;
+    directions.block<2, 1>(2 * rod.j, m) = -pull;
+  }
+  const Eigen::Matrix<double, rods_per_cube, 1> tension =
+      directions.completeOrthogonalDecomposition().solve(missing);
+  std::array<double, rods_per_cube> result{};
+  for (int m = 0; m < rods_per_cube; ++m) {
+    result[static_cast<std::size_t>(m)] = tension[m];
+  }
+  return result;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,38 @@
+/// Which forces are shown. Multipliers are forces, but in a hyperstatic stack many multipliers are
+/// optimal (the paper, section 2.3, blames elasticity; the reason is that rigid bodies
+/// over-determine their supports). Shown is the non-negative distribution of least sum of squares
+/// over unit-normal contact forces: the limit of equal, vanishing compliance at every contact. Rod
+/// forces follow cube by cube and take least squares of their own.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/constraints/islands.h"
+#include "core/model/points.h"
+
+namespace wuerfel {
+
+struct ContactForces {
+  std::vector<double> force;  ///< N, >= 0; one per contact of the island, 0 where it is opening
+  std::vector<char>
+      unique;  ///< whether no other force at this contact gives the same accelerations
+};
+
+/// Contact forces that give these accelerations (one per cube of the island), least sum of squares.
+ContactForces canonical_forces(const System& system,
+                               const State& state,
+                               const Island& island,
+                               const std::vector<Twist>& accelerations);
+
+/// Tensions (N, tension positive) of the rods of one cube, in the order of cube_rods: least sum of
+/// squares among those that give every point its acceleration under gravity and the contact forces
+/// on the cube.
+std::array<double, rods_per_cube> rod_forces(const System& system,
+                                             const State& state,
+                                             int cube,
+                                             const Twist& acceleration,
+                                             const std::vector<Contact>& contacts,
+                                             const std::vector<double>& forces);
+
+}  // namespace wuerfel

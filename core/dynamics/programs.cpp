@@ -1,0 +1,184 @@
+#include "core/dynamics/programs.h"
+
+#include "core/constraints/rod.h"
+#include "core/model/points.h"
+
+namespace wuerfel {
+namespace {
+
+std::array<Vec2, points_per_cube> arms_of(const CubePoints& points) {
+  std::array<Vec2, points_per_cube> arms;
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    arms[k] = points.p[k] - points.p[points_per_cube - 1];
+  }
+  return arms;
+}
+
+}  // namespace
+
+void ProgramBuilder::begin(const State& state, const Island& island, Order order) {
+  const bool points = formulation_ == Formulation::points;
+  program_.clear(points ? 2 : 3);
+  local_.resize(static_cast<std::size_t>(system_->cubes), -1);
+  int next = 0;
+  for (const int cube : island.cubes) {
+    local_[static_cast<std::size_t>(cube)] = next++;
+    const Body& body = system_->body(cube);
+    const BodyState& s = state[static_cast<std::size_t>(cube)];
+    if (!points) {
+      const std::array<double, 3> mass = {body.mass, body.mass, body.inertia};
+      std::array<double, 3> target{};
+      if (order == Order::velocity) target = {s.velocity.x(), s.velocity.y(), s.spin};
+      if (order == Order::acceleration) target = {system_->gravity.x(), system_->gravity.y(), 0.0};
+      program_.add_block(mass, target);
+      continue;
+    }
+    const CubePoints p = points_of(s, body.size);
+    const auto masses = mass_distribution(body.size, body.mass);
+    for (std::size_t k = 0; k < masses.size(); ++k) {
+      Vec2 target = Vec2::Zero();
+      if (order == Order::velocity) target = p.v[k];
+      if (order == Order::acceleration) target = system_->gravity;
+      program_.add_block(std::array{masses[k].mass, masses[k].mass},
+                         std::array{target.x(), target.y()});
+    }
+  }
+  if (points) {
+    for (const int cube : island.cubes) {
+      add_rods(state, cube, points_per_cube * local_[static_cast<std::size_t>(cube)], order);
+    }
+  }
+  first_contact_row_ = program_.rows();
+}
+
+void ProgramBuilder::add_rods(const State& state, int cube, int first_block, Order order) {
+  const CubePoints points =
+      points_of(state[static_cast<std::size_t>(cube)], system_->body(cube).size);
+  for (const RodEnds& rod : cube_rods) {
+    const auto i = static_cast<std::size_t>(rod.i);
+    const auto j = static_cast<std::size_t>(rod.j);
+    const double l_ij = (points.p[i] - points.p[j]).norm();
+    RodRow row = rod_velocity_row(points.p[i], points.p[j]);
+    if (order == Order::position) row = rod_position_row(points.p[i], points.p[j], l_ij);
+    if (order == Order::acceleration) {
+      row = rod_acceleration_row(points.p[i], points.p[j], points.v[i], points.v[j]);
+    }
+    const Vec2 g = row.g / l_ij;
+    program_.add_equality(-row.c / l_ij);
+    program_.add_entry(first_block + rod.i, std::array{g.x(), g.y()});
+    program_.add_entry(first_block + rod.j, std::array{-g.x(), -g.y()});
+  }
+}
+
+void ProgramBuilder::add_point_entries(const Contact& contact, const SideRow& row) {
+  const auto add = [&](int body, int corner, const Vec2& g) {
+    const int block = points_per_cube * local_[static_cast<std::size_t>(body)] + corner;
+    program_.add_entry(block, std::array{g.x(), g.y()});
+  };
+  if (system_->is_cube(contact.on)) add(contact.on, contact.corner, row.g_k);
+  if (system_->is_cube(contact.from)) {
+    add(contact.from, next_corner(contact.side), row.g_i);
+    add(contact.from, contact.side, row.g_j);
+  }
+}
+
+void ProgramBuilder::add_rigid_entries(const State& state,
+                                       const Contact& contact,
+                                       const SideRow& row,
+                                       double& c) {
+  if (system_->is_cube(contact.on)) {
+    RigidRow rigid;
+    pull_back(row.g_k, contact.arm_k, state[static_cast<std::size_t>(contact.on)].spin, rigid);
+    program_.add_entry(local_[static_cast<std::size_t>(contact.on)], rigid.g);
+    c += rigid.centripetal;
+  }
+  if (system_->is_cube(contact.from)) {
+    const double omega = state[static_cast<std::size_t>(contact.from)].spin;
+    RigidRow rigid;
+    pull_back(row.g_i, contact.arm_i, omega, rigid);
+    pull_back(row.g_j, contact.arm_j, omega, rigid);
+    program_.add_entry(local_[static_cast<std::size_t>(contact.from)], rigid.g);
+    c += rigid.centripetal;
+  }
+}
+
+void ProgramBuilder::add_side(const State& state,
+                              const Contact& contact,
+                              SideUse use,
+                              Order order) {
+  SideRow row = side_velocity_row(contact.arm_i, contact.arm_j, contact.alpha);
+  if (order == Order::acceleration) {
+    const ContactVelocity v = contact_velocity(*system_, state, contact);
+    row = side_acceleration_row(contact.arm_i, contact.arm_j, contact.alpha, v.v_i, v.v_j, v.v_k);
+  }
+  const double scale = 1.0 / contact.length;
+  row = {row.g_i * scale, row.g_j * scale, row.g_k * scale, row.c * scale};
+  if (order == Order::position) row.c = contact.gap;
+  const int index =
+      use == SideUse::equality ? program_.add_equality(0.0) : program_.add_inequality(0.0);
+  double c = row.c;
+  if (formulation_ == Formulation::points) {
+    add_point_entries(contact, row);
+  } else {
+    double centripetal = 0.0;
+    add_rigid_entries(state, contact, row, centripetal);
+    if (order == Order::acceleration) c += centripetal;
+  }
+  program_.bound[static_cast<std::size_t>(index)] = -c;
+}
+
+void ProgramBuilder::add_sides(const State& state,
+                               const Island& island,
+                               std::span<const SideUse> use,
+                               Order order) {
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (use[k] != SideUse::none) add_side(state, island.contacts[k], use[k], order);
+  }
+}
+
+void ProgramBuilder::acceleration(const State& state,
+                                  const Island& island,
+                                  std::span<const SideUse> use) {
+  begin(state, island, Order::acceleration);
+  add_sides(state, island, use, Order::acceleration);
+}
+
+void ProgramBuilder::velocity(const State& state,
+                              const Island& island,
+                              std::span<const SideUse> use) {
+  begin(state, island, Order::velocity);
+  add_sides(state, island, use, Order::velocity);
+}
+
+void ProgramBuilder::position(const State& state,
+                              const Island& island,
+                              std::span<const SideUse> use) {
+  begin(state, island, Order::position);
+  add_sides(state, island, use, Order::position);
+}
+
+std::vector<Twist> ProgramBuilder::twists(const State& state,
+                                          const Island& island,
+                                          const std::vector<double>& x) const {
+  std::vector<Twist> result;
+  result.reserve(island.cubes.size());
+  const double* at = x.data();
+  for (const int cube : island.cubes) {
+    if (formulation_ == Formulation::rigid) {
+      result.push_back({Vec2(at[0], at[1]), at[2]});
+      at += 3;
+      continue;
+    }
+    const Body& body = system_->body(cube);
+    std::array<Vec2, points_per_cube> rates;
+    for (Vec2& rate : rates) {
+      rate = {at[0], at[1]};
+      at += 2;
+    }
+    const CubePoints points = points_of(state[static_cast<std::size_t>(cube)], body.size);
+    result.push_back(rigid_part(rates, arms_of(points), mass_distribution(body.size, body.mass)));
+  }
+  return result;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,75 @@
+/// The three programs of a step, each a QuadraticProgram over one island:
+///
+///   acceleration  Eq. (9): minimise 1/2 sum m_i |a_i - F_i|^2 under (1) and, where (2) = (3) = 0,
+///   under (7) velocity      Moreau's impact law: minimise 1/2 sum m_i |v_i^+ - v_i^-|^2 under (1)
+///   and (3) position      Längenkorrektur: minimise 1/2 sum m_i |d_i|^2 so that rods have their
+///   length and no corner is inside
+///
+/// With the 1/2 (the print of (9) has none) multipliers are forces. Rows are divided by the length
+/// of their rod or side, so that a multiplier is the force itself, in N (N s for impulses), not per
+/// metre.
+///
+/// Unknowns are what the formulation says: all points with all rods as equalities (the paper to the
+/// letter), or x, y, theta per cube, where rods hold by themselves. Sides are written once, on
+/// points (constraints/side.h), and pulled back.
+///
+/// References: Gauss, "Über ein neues allgemeines Grundgesetz der Mechanik", Crelle 4 (1829) 232;
+/// Moreau, "Unilateral contact and dry friction in finite freedom dynamics", CISM 302 (1988).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/constraints/islands.h"
+#include "core/constraints/side.h"
+#include "core/dynamics/pull_back.h"
+#include "core/qp/quadratic_program.h"
+#include "core/settings.h"
+
+namespace wuerfel {
+
+/// How a contact enters a program.
+enum class SideUse { inequality, equality, none };
+
+/// Builds programs over one island. Rows: first the rods (points formulation), then the contacts
+/// that are used, in the island's order.
+class ProgramBuilder {
+ public:
+  ProgramBuilder(const System& system, Formulation formulation)
+      : system_(&system), formulation_(formulation) {}
+
+  /// Eq. (9). `use` has one entry per contact of the island.
+  void acceleration(const State& state, const Island& island, std::span<const SideUse> use);
+  /// Moreau's impact law.
+  void velocity(const State& state, const Island& island, std::span<const SideUse> use);
+  /// Längenkorrektur: displacements from `state`.
+  void position(const State& state, const Island& island, std::span<const SideUse> use);
+
+  [[nodiscard]] const QuadraticProgram& program() const { return program_; }
+  /// Number of the row of the first contact: that many rods come before it.
+  [[nodiscard]] int first_contact_row() const { return first_contact_row_; }
+  /// The solution as one rigid motion per cube of the island.
+  [[nodiscard]] std::vector<Twist> twists(const State& state,
+                                          const Island& island,
+                                          const std::vector<double>& x) const;
+
+ private:
+  enum class Order { position, velocity, acceleration };
+  void begin(const State& state, const Island& island, Order order);
+  void add_rods(const State& state, int cube, int first_block, Order order);
+  void add_sides(const State& state,
+                 const Island& island,
+                 std::span<const SideUse> use,
+                 Order order);
+  void add_side(const State& state, const Contact& contact, SideUse use, Order order);
+  void add_point_entries(const Contact& contact, const SideRow& row);
+  void add_rigid_entries(const State& state, const Contact& contact, const SideRow& row, double& c);
+
+  const System* system_;
+  Formulation formulation_;
+  QuadraticProgram program_;
+  std::vector<int> local_;  ///< number of a cube within the island
+  int first_contact_row_ = 0;
+};
+
+}  // namespace wuerfel

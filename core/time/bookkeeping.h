@@ -1,0 +1,53 @@
+/// What a run keeps book of: events, invariants, cost.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel {
+
+enum class EventKind { impact, touch, release, slide_off, stick, slip, rest };
+std::string_view to_string(EventKind kind);
+
+/// Something that happened at one instant.
+struct Event {
+  double t = 0.0;  ///< s
+  EventKind kind = EventKind::impact;
+  std::string on;             ///< body the impulse acts on
+  std::string from;           ///< body it comes from
+  Vec2 point = Vec2::Zero();  ///< m
+  double impulse = 0.0;       ///< N s
+};
+
+/// Invariants kept book of in every run.
+struct Audit {
+  double max_penetration = 0.0;   ///< m, deepest overlap of any pair at any step end
+  double max_rod_error = 0.0;     ///< largest relative change of a rod's length
+  double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
+  long missed_solves = 0;         ///< programs whose residual missed the tolerance
+  double energy_start = 0.0;      ///< J
+  double energy_end = 0.0;        ///< J
+  double impact_loss = 0.0;       ///< J, taken by impacts
+  double friction_loss = 0.0;     ///< J
+  [[nodiscard]] double drift() const {
+    return energy_end + impact_loss + friction_loss - energy_start;
+  }
+};
+
+struct Cost {
+  long steps = 0;
+  long qp_solves = 0;
+  long qp_skipped =
+      0;  ///< programs answered without a solver: free flight, certified rest, unchanged islands
+};
+
+struct Bookkeeping {
+  std::vector<Event> events;
+  Audit audit;
+  Cost cost;
+};
+
+}  // namespace wuerfel

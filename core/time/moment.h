@@ -1,0 +1,23 @@
+/// A moment of the motion: the state, what touches, and what has been computed about it.
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/dynamics/gauss.h"
+
+namespace wuerfel {
+
+struct Moment {
+  double t = 0.0;  ///< s
+  State state;
+  std::vector<Island> islands;            ///< of the contacts at `state`
+  std::vector<IslandSolution> solutions;  ///< accelerations, one per island; empty until asked for
+  std::vector<Twist> accelerations;       ///< one per cube, filled with `solutions`
+  std::vector<char> resting;              ///< per cube: certified, v = 0 and a = 0
+  std::set<std::pair<int, int>>
+      lasting;  ///< pairs that were in contact a step ago: no new impact of theirs
+};
+
+}  // namespace wuerfel

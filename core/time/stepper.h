@@ -1,0 +1,38 @@
+/// Algorithm 1 of the paper, step by step, with the impact law that it leaves open.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/time/bookkeeping.h"
+#include "core/time/moment.h"
+
+namespace wuerfel {
+
+class Stepper {
+ public:
+  Stepper(const System& system, const MotionSettings& settings);
+
+  /// Contacts of a state that was just reached, and the impacts that they call for.
+  void arrive(Moment& moment, Bookkeeping& book);
+  /// Accelerations and forces of a moment; found once.
+  void accelerate(Moment& moment, Bookkeeping& book);
+  /// One step of `dt` s from a moment that has arrived to the next.
+  void step(Moment& moment, double dt, Bookkeeping& book);
+
+ private:
+  void integrate(Moment& moment, double dt) const;
+  void correct_positions(State& state, std::vector<Contact>& pressed, Bookkeeping& book);
+  void correct_velocities(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
+  void strike(Moment& moment, const Island& island, Bookkeeping& book);
+  [[nodiscard]] std::vector<Contact> pressed_contacts(const Moment& moment) const;
+  [[nodiscard]] bool resting(const Moment& moment, const Island& island) const;
+
+  const System* system_;
+  MotionSettings settings_;
+  std::unique_ptr<QpSolver> solver_;
+  IslandDynamics dynamics_;
+  ContactFinder finder_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,53 @@
+/// Random smooth motions of points, for comparing derivatives with finite differences.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/geometry/vec2.h"
+
+namespace wuerfel::test {
+
+/// Numbers in [-1, 1), the same on every machine (SplitMix64: Steele, Lea, Flood 2014).
+class RandomNumbers {
+ public:
+  explicit RandomNumbers(std::uint64_t seed) : state_(seed) {}
+  double next() {
+    state_ += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    z ^= z >> 31;
+    return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
+  }
+  Vec2 next_vec2() {
+    const double x = next();
+    return {x, next()};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// p(t) = c_0 + c_1 t + c_2 t^2 + c_3 t^3, so that v(0) = c_1 and a(0) = 2 c_2.
+struct CubicMotion {
+  std::array<Vec2, 4> c;
+  explicit CubicMotion(RandomNumbers& random) {
+    for (Vec2& term : c) term = random.next_vec2();
+  }
+  [[nodiscard]] Vec2 at(double t) const { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
+  [[nodiscard]] Vec2 v() const { return c[1]; }
+  [[nodiscard]] Vec2 a() const { return 2.0 * c[2]; }
+};
+
+/// First and second derivative at 0 of a function of time: central differences of fourth order.
+template <typename F>
+double first_difference(F f, double h) {
+  return (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h);
+}
+template <typename F>
+double second_difference(F f, double h) {
+  return (16.0 * (f(h) + f(-h)) - (f(2.0 * h) + f(-2.0 * h)) - 30.0 * f(0.0)) / (12.0 * h * h);
+}
+
+}  // namespace wuerfel::test

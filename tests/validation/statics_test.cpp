@@ -1,0 +1,66 @@
+// Accelerations, forces and verdicts of the reference cases against exact answers.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/check.h"
+#include "tests/support/reference_case.h"
+
+namespace wuerfel::test {
+namespace {
+
+// Observed: 3e-11 g at worst. A wrong factor in Eq. (7) shows from 1e-2 g on.
+constexpr double acceleration_tolerance = 1e-9;  // of g
+// Observed: 2e-10 of the weight at worst.
+constexpr double force_tolerance = 1e-8;  // of the total weight
+
+class Statics : public testing::TestWithParam<std::string> {};
+
+double force_at(const Check& check, const nlohmann::json& expected) {
+  const Vec2 point(expected["point"][0].get<double>(), expected["point"][1].get<double>());
+  const Vec2 normal(expected["normal"][0].get<double>(), expected["normal"][1].get<double>());
+  double sum = 0.0;
+  for (const ContactForce& c : check.contacts) {
+    if ((c.point - point).norm() > 1e-6) continue;
+    const bool same = c.on == expected["on"] && c.from == expected["from"] && c.normal.dot(normal) > 0.999;
+    const bool mirrored = c.on == expected["from"] && c.from == expected["on"] && c.normal.dot(normal) < -0.999;
+    if (same || mirrored) sum += c.force;
+  }
+  return sum;
+}
+
+TEST_P(Statics, AgreesWithTheExactAnswer) {
+  const ReferenceCase reference = read_reference_case(GetParam());
+  const Check answer = check(reference.scene, {});
+  const double g = reference.scene.gravity.norm();
+  for (const auto& expected : reference.data["expected"]) {
+    const std::string type = expected["type"];
+    if (type == "classification") {
+      const bool rest = expected["value"] == "rest";
+      EXPECT_EQ(answer.verdict == Verdict::stands, rest) << to_string(answer.verdict);
+      EXPECT_NE(answer.verdict, Verdict::undecided);
+    } else if (type == "acceleration") {
+      const Twist& a =
+          answer.accelerations[static_cast<std::size_t>(reference.cube(expected["body"]))];
+      EXPECT_NEAR(a.linear.x(), expected["value"]["ax"].get<double>(), acceleration_tolerance * g);
+      EXPECT_NEAR(a.linear.y(), expected["value"]["ay"].get<double>(), acceleration_tolerance * g);
+      EXPECT_NEAR(a.angular, expected["value"]["alpha"].get<double>(), acceleration_tolerance * g);
+    } else if (type == "contact_force") {
+      EXPECT_NEAR(force_at(answer, expected), expected["value"].get<double>(),
+                  force_tolerance * reference.weight())
+          << expected["id"];
+    } else if (type == "objective") {
+      const double value = expected["value"];
+      EXPECT_NEAR(answer.objective, value, 1e-9 * std::max(1.0, std::abs(value)));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference,
+                         Statics,
+                         testing::ValuesIn(reference_case_names("qp_geometry")),
+                         [](const auto& test) { return test_name(test.param); });
+
+}  // namespace
+}  // namespace wuerfel::test
