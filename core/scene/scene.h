@@ -15,14 +15,16 @@ namespace wuerfel {
 struct Material {
   double friction = 0.0;     ///< Coulomb coefficient, >= 0
   double restitution = 0.0;  ///< Newton coefficient, 0 .. 1
+  bool operator==(const Material&) const = default;
 };
 
 /// Fixed half-plane.
 struct ScenePlane {
   std::string name;
-  Vec2 point = Vec2::Zero();   ///< m, a point of the boundary
+  Vec2 point = Vec2::Zero();    ///< m, a point of the boundary
   Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid
   Material material;
+  bool operator==(const ScenePlane&) const = default;
 };
 
 /// Rectangle that never moves.
@@ -32,6 +34,7 @@ struct SceneFixed {
   Vec2 position = Vec2::Zero();  ///< m, centre
   double angle = 0.0;            ///< rad, counter-clockwise
   Material material;
+  bool operator==(const SceneFixed&) const = default;
 };
 
 /// A cube (Würfel, Stein): a uniform rigid rectangle.
@@ -45,6 +48,7 @@ struct SceneCube {
   double spin = 0.0;             ///< rad/s
   Material material;
   std::optional<std::array<std::uint8_t, 3>> color;  ///< RGB; none: the theme's palette decides
+  bool operator==(const SceneCube&) const = default;
 };
 
 /// Override of the surface properties of one pair of bodies, by name.
@@ -52,6 +56,7 @@ struct ScenePair {
   std::array<std::string, 2> bodies;
   std::optional<double> friction;
   std::optional<double> restitution;
+  bool operator==(const ScenePair&) const = default;
 };
 
 struct Scene {
@@ -63,6 +68,7 @@ struct Scene {
   std::vector<SceneFixed> fixed;
   std::vector<SceneCube> cubes;
   std::vector<ScenePair> pairs;
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace wuerfel

@@ -1,0 +1,327 @@
+/// The scene format, said once: the tables of a scene text as plain structs, and for each of them
+/// `describe`, which lists its keys with their range, default and meaning. Reading (table_reader),
+/// the suggestions for misspelt keys and the JSON Schema (schema) are visitors of these lists.
+///
+/// A visitor `keys` offers
+///   value(key, target, limits, doc)   an optional key; the target's present value is the default
+///   required(key, target, limits, doc)
+///   table(key, entry, doc), tables(key, entries, doc)   a sub-table, an array of tables
+///   exactly_one, at_most_one, at_least_one ({keys})     alternatives
+///   needs(key, other)                                   `key` only together with `other`
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+#include "core/scene/color.h"
+#include "core/scene/scene.h"
+#include "core/scene/value.h"
+
+namespace wuerfel {
+
+/// Range of a number, or of the number of characters of a text; both ends are allowed.
+struct Limits {
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// Bounds leave room for squares and products of what they bound: a scene within them cannot
+/// overflow.
+namespace limits {
+inline constexpr Limits coordinate{-1e15, 1e15};  // m
+inline constexpr Limits size{1e-12, 1e12};        // m
+inline constexpr Limits mass{1e-30, 1e30};        // kg
+inline constexpr Limits density{1e-30, 1e30};     // kg/m^2
+inline constexpr Limits angle{-1e6, 1e6};         // rad: sin_cos keeps its accuracy
+inline constexpr Limits degrees{-5e7, 5e7};
+inline constexpr Limits rate{-1e12, 1e12};   // m/s, rad/s, m/s^2
+inline constexpr Limits duration{0.0, 1e9};  // s
+inline constexpr Limits friction{0.0, 1e6};
+inline constexpr Limits restitution{0.0, 1.0};
+inline constexpr Limits count{1.0, 200'000.0};
+inline constexpr Limits seed{0.0, 9'007'199'254'740'992.0};  // 2^53: exact in every JSON reader
+inline constexpr Limits name{1.0, 100.0};
+inline constexpr Limits title{0.0, 200.0};
+}  // namespace limits
+
+/// Most bodies of a scene, and most planes (every cube is compared with every plane).
+inline constexpr std::int64_t most_bodies = 200'000;
+inline constexpr std::int64_t most_planes = 1'000;
+
+/// Where an entry stands in the text.
+struct Origin {
+  const Value* table = nullptr;  ///< lives as long as the tree that was read
+  std::string path;              ///< "cube[2]"
+};
+
+/// Side, or [width, height].
+struct Size {
+  Vec2 extent = Vec2::Ones();  ///< m
+};
+
+/// Axis-aligned rectangle [xmin, ymin, xmax, ymax].
+struct Region {
+  Vec2 low = Vec2::Zero();   ///< m
+  Vec2 high = Vec2::Zero();  ///< m
+};
+
+enum class Bond { running, stack };
+
+struct SurfaceEntry {
+  std::optional<double> friction;
+  std::optional<double> restitution;
+};
+
+/// Where something stands: at a point, or on a face of another body.
+struct StandingEntry {
+  std::optional<Vec2> point;  ///< centre of a body, middle of the lowest edge of a generated group
+  std::optional<std::string> on;
+  double offset = 0.0;  ///< m
+};
+
+struct TurnEntry {
+  double angle = 0.0;  ///< rad
+  std::optional<double> angle_deg;
+};
+
+/// What a cube and the cubes of a generator have in common.
+struct BrickEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  Size size;
+  double mass = 1.0;  ///< kg
+  std::optional<double> density;
+  SurfaceEntry surface;
+  std::optional<Rgb> color;
+};
+
+struct PlaneEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  Vec2 point = Vec2::Zero();
+  Vec2 normal = Vec2::UnitY();
+  SurfaceEntry surface;
+};
+
+struct FixedEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  Size size;
+  StandingEntry standing;
+  TurnEntry turn;
+  SurfaceEntry surface;
+};
+
+struct CubeEntry : BrickEntry {
+  StandingEntry standing;
+  TurnEntry turn;
+  Vec2 velocity = Vec2::Zero();
+  double spin = 0.0;
+};
+
+struct TowerEntry : BrickEntry {
+  std::int64_t count = 0;
+  StandingEntry standing;
+  double lean = 0.0;  ///< m
+};
+
+struct WallEntry : BrickEntry {
+  std::int64_t rows = 0;
+  std::int64_t columns = 0;
+  Bond bond = Bond::running;
+  StandingEntry standing;
+};
+
+struct PyramidEntry : BrickEntry {
+  std::int64_t rows = 0;
+  StandingEntry standing;
+};
+
+struct PileEntry : BrickEntry {
+  std::int64_t count = 0;
+  Region region;
+  std::int64_t seed = 1;
+};
+
+struct PairEntry {
+  Origin origin;
+  std::array<std::string, 2> bodies;
+  SurfaceEntry surface;
+};
+
+struct SceneEntries {
+  std::int64_t version = 1;
+  std::string title;
+  Vec2 gravity{0.0, -9.81};
+  double duration = 5.0;
+  Material material;
+  std::vector<PlaneEntry> planes;
+  std::vector<FixedEntry> fixed;
+  std::vector<CubeEntry> cubes;
+  std::vector<TowerEntry> towers;
+  std::vector<WallEntry> walls;
+  std::vector<PyramidEntry> pyramids;
+  std::vector<PileEntry> piles;
+  std::vector<PairEntry> pairs;
+};
+
+template <class Keys>
+void describe(Keys& keys, Material& material) {
+  keys.value("friction", material.friction, limits::friction, "Coulomb coefficient");
+  keys.value("restitution", material.restitution, limits::restitution,
+             "Newton coefficient: 0 does not bounce");
+}
+
+template <class Keys>
+void describe_surface(Keys& keys, SurfaceEntry& surface) {
+  keys.value("friction", surface.friction, limits::friction,
+             "Coulomb coefficient; default from [material]. A pair takes the geometric mean of its "
+             "two values");
+  keys.value("restitution", surface.restitution, limits::restitution,
+             "Newton coefficient; default from [material]. A pair takes the geometric mean of its "
+             "two values");
+}
+
+template <class Keys>
+void describe_standing(Keys& keys,
+                       StandingEntry& standing,
+                       std::string_view point_key,
+                       std::string_view point_doc) {
+  keys.value(point_key, standing.point, limits::coordinate, point_doc);
+  keys.value("on", standing.on, limits::name,
+             "Instead of a point: name of the body on whose top face (or plane) it stands, "
+             "touching exactly and "
+             "turned with the face");
+  keys.value("offset", standing.offset, limits::coordinate,
+             "m, with `on`: how far the middle is shifted along the face, from the middle of the "
+             "face or the "
+             "plane's point");
+  keys.exactly_one({point_key, "on"});
+  keys.needs("offset", "on");
+}
+
+template <class Keys>
+void describe_turn(Keys& keys, TurnEntry& turn) {
+  keys.value("angle", turn.angle, limits::angle, "rad, counter-clockwise");
+  keys.value("angle_deg", turn.angle_deg, limits::degrees, "Degrees, instead of angle");
+  keys.at_most_one({"angle", "angle_deg", "on"});
+}
+
+template <class Keys>
+void describe_brick(Keys& keys, BrickEntry& brick, std::string_view name_doc) {
+  keys.value("name", brick.name, limits::name, name_doc);
+  keys.value("size", brick.size, limits::size, "m: side, or [width, height]");
+  keys.value("mass", brick.mass, limits::mass, "kg, of one cube");
+  keys.value("density", brick.density, limits::density, "kg/m^2, instead of mass");
+  keys.at_most_one({"mass", "density"});
+  describe_surface(keys, brick.surface);
+  keys.value("color", brick.color, "\"#rrggbb\" or a name of the Okabe-Ito palette");
+}
+
+template <class Keys>
+void describe(Keys& keys, PlaneEntry& plane) {
+  keys.value("name", plane.name, limits::name, "Default plane1, plane2, ...");
+  keys.value("point", plane.point, limits::coordinate, "m, a point of the boundary");
+  keys.value("normal", plane.normal, limits::coordinate,
+             "Direction out of the solid; any length but zero");
+  describe_surface(keys, plane.surface);
+}
+
+template <class Keys>
+void describe(Keys& keys, FixedEntry& fixed) {
+  keys.value("name", fixed.name, limits::name, "Default fixed1, fixed2, ...");
+  keys.value("size", fixed.size, limits::size, "m: side, or [width, height]");
+  describe_standing(keys, fixed.standing, "position", "m, centre");
+  describe_turn(keys, fixed.turn);
+  describe_surface(keys, fixed.surface);
+}
+
+template <class Keys>
+void describe(Keys& keys, CubeEntry& cube) {
+  describe_brick(keys, cube, "Default cube1, cube2, ...");
+  describe_standing(keys, cube.standing, "position", "m, centre");
+  describe_turn(keys, cube.turn);
+  keys.value("velocity", cube.velocity, limits::rate, "m/s, of the centre");
+  keys.value("spin", cube.spin, limits::rate, "rad/s, counter-clockwise");
+}
+
+inline constexpr std::string_view base_doc = "m, middle of the lowest edge";
+
+template <class Keys>
+void describe(Keys& keys, TowerEntry& tower) {
+  describe_brick(keys, tower,
+                 "Default tower1, tower2, ...; its cubes are tower1_1, tower1_2, ... from below");
+  keys.required("count", tower.count, limits::count, "Number of cubes");
+  describe_standing(keys, tower.standing, "base", base_doc);
+  keys.value("lean", tower.lean, limits::coordinate, "m, shift of each cube against the one below");
+}
+
+template <class Keys>
+void describe(Keys& keys, WallEntry& wall) {
+  describe_brick(
+      keys, wall,
+      "Default wall1, wall2, ...; its cubes are wall1_1, ... row by row from the lower left");
+  keys.required("rows", wall.rows, limits::count, "Number of rows");
+  keys.required("columns", wall.columns, limits::count, "Cubes in a full row");
+  keys.value("bond", wall.bond,
+             "running: every second row is shifted by half a cube, with half cubes at its ends "
+             "(mass by area); "
+             "stack: columns");
+  describe_standing(keys, wall.standing, "base", base_doc);
+}
+
+template <class Keys>
+void describe(Keys& keys, PyramidEntry& pyramid) {
+  describe_brick(keys, pyramid,
+                 "Default pyramid1, pyramid2, ...; its cubes are pyramid1_1, ... row by row from "
+                 "the lower left");
+  keys.required("rows", pyramid.rows, limits::count,
+                "Number of rows; the lowest has as many cubes, each next one less");
+  describe_standing(keys, pyramid.standing, "base", base_doc);
+}
+
+template <class Keys>
+void describe(Keys& keys, PileEntry& pile) {
+  describe_brick(keys, pile, "Default pile1, pile2, ...; its cubes are pile1_1, pile1_2, ...");
+  keys.required("count", pile.count, limits::count, "Number of cubes");
+  keys.required("region", pile.region, limits::coordinate,
+                "m, [xmin, ymin, xmax, ymax]: the cubes are put into it at random places and "
+                "angles, clear of each "
+                "other and of all other bodies");
+  keys.value("seed", pile.seed, limits::seed, "The same seed gives the same pile on every machine");
+}
+
+template <class Keys>
+void describe(Keys& keys, PairEntry& pair) {
+  keys.required("bodies", pair.bodies, limits::name, "Names of the two bodies");
+  keys.value("friction", pair.surface.friction, limits::friction,
+             "Coulomb coefficient between the two");
+  keys.value("restitution", pair.surface.restitution, limits::restitution,
+             "Newton coefficient between the two");
+  keys.at_least_one({"friction", "restitution"});
+}
+
+template <class Keys>
+void describe(Keys& keys, SceneEntries& scene) {
+  keys.value("version", scene.version, Limits{1.0, 1.0}, "Version of the scene format");
+  keys.value("title", scene.title, limits::title, "Shown in pictures");
+  keys.value("gravity", scene.gravity, limits::rate, "m/s^2");
+  keys.value("duration", scene.duration, limits::duration, "s, simulated time");
+  keys.table("material", scene.material, "Defaults for all bodies, planes and fixed boxes too");
+  keys.tables("plane", scene.planes, "Fixed half-planes");
+  keys.tables("fixed", scene.fixed, "Fixed boxes");
+  keys.tables("cube", scene.cubes, "Cubes: uniform rigid rectangles");
+  keys.tables("tower", scene.towers, "Generator: cubes on top of each other");
+  keys.tables("wall", scene.walls, "Generator: rows of cubes");
+  keys.tables("pyramid", scene.pyramids, "Generator: rows that get shorter by one cube");
+  keys.tables("pile", scene.piles, "Generator: cubes scattered at random");
+  keys.tables("pair", scene.pairs, "Surface properties of one pair of bodies");
+  keys.at_least_one({"cube", "tower", "wall", "pyramid", "pile"});
+}
+
+}  // namespace wuerfel

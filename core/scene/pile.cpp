@@ -1,0 +1,136 @@
+#include "core/scene/pile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/scene/counter_random.h"
+
+namespace wuerfel {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Half the size of a box's axis-aligned bounds.
+Vec2 half_bounds(const Box& box) {
+  const Vec2 u = box.axis.cwiseAbs();
+  return {u.x() * box.half.x() + u.y() * box.half.y(), u.y() * box.half.x() + u.x() * box.half.y()};
+}
+
+/// Boxes by the cells of a grid over the region that their bounds meet. A cell is no smaller than
+/// `least_cell`, so that a cube meets few of them.
+class Grid {
+ public:
+  Grid(const Region& region, double least_cell, std::int64_t expected)
+      : low_(region.low), high_(region.high) {
+    const Vec2 extent = region.high - region.low;
+    const double most = 2.0 * std::sqrt(static_cast<double>(expected)) + 1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double cells = std::clamp(std::floor(extent[axis] / least_cell), 1.0, std::floor(most));
+      count_[static_cast<std::size_t>(axis)] = static_cast<int>(cells);
+      cell_[axis] = extent[axis] / cells;
+    }
+    cells_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]));
+  }
+
+  void add(const Box& box, double margin) {
+    const Vec2 half = half_bounds(box) + Vec2(margin, margin);
+    const bool outside = ((box.center + half).array() < low_.array()).any()
+                         || ((box.center - half).array() > high_.array()).any();
+    if (outside) return;
+    const int index = static_cast<int>(boxes_.size());
+    boxes_.push_back(box);
+    visit(box, margin, [&](std::vector<int>& cell) {
+      cell.push_back(index);
+      return true;
+    });
+  }
+
+  /// Whether no box is nearer to `box` than `clearance`.
+  bool is_clear(const Box& box, double clearance) {
+    return visit(box, 0.0, [&](const std::vector<int>& cell) {
+      return std::none_of(cell.begin(), cell.end(), [&](int i) {
+        return separation(box, boxes_[static_cast<std::size_t>(i)]) < clearance;
+      });
+    });
+  }
+
+ private:
+  [[nodiscard]] int cell_of(double place, int axis) const {
+    const double cell = std::floor((place - low_[axis]) / cell_[axis]);
+    return static_cast<int>(std::clamp(cell, 0.0, count_[static_cast<std::size_t>(axis)] - 1.0));
+  }
+
+  /// Calls `action` for the cells that the bounds of `box`, widened by `margin`, meet, until it
+  /// says no.
+  template <class Action>
+  bool visit(const Box& box, double margin, const Action& action) {
+    const Vec2 half = half_bounds(box) + Vec2(margin, margin);
+    const Vec2 low = box.center - half;
+    const Vec2 high = box.center + half;
+    const int last_column = cell_of(high.x(), 0);
+    const int last_row = cell_of(high.y(), 1);
+    for (int row = cell_of(low.y(), 1); row <= last_row; ++row) {
+      for (int column = cell_of(low.x(), 0); column <= last_column; ++column) {
+        if (!action(cells_[static_cast<std::size_t>(row * count_[0] + column)])) return false;
+      }
+    }
+    return true;
+  }
+
+  Vec2 low_;
+  Vec2 high_;
+  Vec2 cell_ = Vec2::Ones();  ///< m
+  std::array<int, 2> count_{1, 1};
+  std::vector<std::vector<int>> cells_;
+  std::vector<Box> boxes_;
+};
+
+/// The pose number `number` of the pile's sequence; nothing where the cube does not fit into the
+/// region at its angle.
+std::optional<PilePose> random_pose(const PileEntry& pile, std::uint64_t number) {
+  const auto seed = static_cast<std::uint64_t>(pile.seed);
+  PilePose pose;
+  pose.angle = pi * random_unit(seed, 3 * number);
+  const Vec2 half = half_bounds(make_box(pose.position, pose.angle, pile.size.extent));
+  const Vec2 low = pile.region.low + half;
+  const Vec2 room = pile.region.high - half - low;
+  if (room.minCoeff() < 0.0) return std::nullopt;
+  pose.position = {low.x() + room.x() * random_unit(seed, 3 * number + 1),
+                   low.y() + room.y() * random_unit(seed, 3 * number + 2)};
+  return pose;
+}
+
+}  // namespace
+
+std::vector<PilePose> scatter(const PileEntry& pile,
+                              const std::vector<Box>& obstacles,
+                              const std::vector<ScenePlane>& planes) {
+  const double clearance = 0.01 * pile.size.extent.minCoeff();
+  Grid grid(pile.region, pile.size.extent.norm(), pile.count);
+  for (const Box& obstacle : obstacles) {
+    grid.add(obstacle, clearance);
+  }
+  const auto is_free = [&](const Box& box) {
+    const bool clear_of_planes =
+        std::all_of(planes.begin(), planes.end(), [&](const ScenePlane& plane) {
+          return plane_separation(plane.point, plane.normal, box) >= clearance;
+        });
+    return clear_of_planes && grid.is_clear(box, clearance);
+  };
+  std::vector<PilePose> poses;
+  std::uint64_t number = 0;
+  for (int tries = 0; static_cast<std::int64_t>(poses.size()) < pile.count && tries < pile_tries;
+       ++tries) {
+    const std::optional<PilePose> pose = random_pose(pile, number++);
+    if (!pose) continue;
+    const Box box = make_box(pose->position, pose->angle, pile.size.extent);
+    if (!is_free(box)) continue;
+    grid.add(box, clearance);
+    poses.push_back(*pose);
+    tries = 0;
+  }
+  return poses;
+}
+
+}  // namespace wuerfel

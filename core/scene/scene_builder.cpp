@@ -1,0 +1,303 @@
+#include "core/scene/scene_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/scene/groups.h"
+#include "core/scene/layout.h"
+#include "core/scene/overlap.h"
+#include "core/scene/pile.h"
+#include "core/scene/placement.h"
+
+namespace wuerfel {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// `direction` with length 1. What has that length already but for rounding is left alone, so that
+/// a scene that was written out comes back with the same bits.
+Vec2 unit(const Vec2& direction) {
+  constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+  if (std::abs(direction.squaredNorm() - 1.0) <= rounding) return direction;
+  const Vec2 scaled = direction / direction.cwiseAbs().maxCoeff();
+  return scaled / scaled.norm();
+}
+
+/// A whole number of half turns in degrees gives the double next to that many pi.
+double angle_of(const TurnEntry& turn) {
+  return turn.angle_deg ? *turn.angle_deg / 180.0 * pi : turn.angle;
+}
+
+bool is_within(const Limits& limits, double value) {
+  return value >= limits.min && value <= limits.max;
+}
+
+class SceneBuilder {
+ public:
+  SceneBuilder(const SceneEntries& entries, const SceneSource& source)
+      : entries_(entries), source_(source) {}
+
+  Scene build() {
+    check_counts();
+    take_head();
+    add_planes();
+    add_fixed();
+    add_cubes();
+    add_generators();
+    const BodyNames names = collect_names(scene_, groups_, source_);
+    place_groups(scene_, groups_, names, source_);
+    scatter_piles();
+    add_pairs(names);
+    check_ranges();
+    check_overlap();
+    return std::move(scene_);
+  }
+
+ private:
+  void check_counts() const {
+    std::int64_t cubes = static_cast<std::int64_t>(entries_.cubes.size());
+    for (const TowerEntry& tower : entries_.towers)
+      cubes += tower.count;
+    for (const WallEntry& wall : entries_.walls)
+      cubes += wall.rows * (wall.columns + 1);
+    for (const PyramidEntry& pyramid : entries_.pyramids)
+      cubes += pyramid.rows * (pyramid.rows + 1) / 2;
+    for (const PileEntry& pile : entries_.piles)
+      cubes += pile.count;
+    if (cubes == 0)
+      source_.fail({}, "",
+                   "the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
+    const std::int64_t bodies = cubes + static_cast<std::int64_t>(entries_.fixed.size());
+    if (bodies > most_bodies) {
+      source_.fail({}, "",
+                   fmt::format("the scene has {} cubes and fixed boxes; at most {} are allowed",
+                               bodies, most_bodies));
+    }
+    if (static_cast<std::int64_t>(entries_.planes.size()) > most_planes) {
+      source_.fail({}, "",
+                   fmt::format("the scene has {} planes; at most {} are allowed",
+                               entries_.planes.size(), most_planes));
+    }
+  }
+
+  void take_head() {
+    scene_.title = entries_.title;
+    scene_.gravity = entries_.gravity;
+    scene_.duration = entries_.duration;
+    scene_.material = entries_.material;
+  }
+
+  [[nodiscard]] Material material_of(const SurfaceEntry& surface) const {
+    return {surface.friction.value_or(scene_.material.friction),
+            surface.restitution.value_or(scene_.material.restitution)};
+  }
+
+  void add_planes() {
+    for (const PlaneEntry& entry : entries_.planes) {
+      if (entry.normal.isZero(0.0)) {
+        source_.fail(place_of(entry.origin, "normal"), entry.origin.path + ".normal",
+                     "must not be zero");
+      }
+      const auto index = static_cast<int>(scene_.planes.size());
+      ScenePlane plane;
+      plane.name = entry.name.value_or(fmt::format("plane{}", index + 1));
+      plane.point = entry.point;
+      plane.normal = unit(entry.normal);
+      plane.material = material_of(entry.surface);
+      groups_.add(
+          {BodyKind::plane, index, 1, PlacedBy::itself, &entry.origin, nullptr, plane.name});
+      scene_.planes.push_back(std::move(plane));
+    }
+  }
+
+  /// Centre within the frame: a body that stands on something has its frame in the middle of its
+  /// lowest edge.
+  static Vec2 local_center(const StandingEntry& standing, const Size& size) {
+    return standing.on ? Vec2(0.0, 0.5 * size.extent.y()) : Vec2(0.0, 0.0);
+  }
+
+  void add_fixed() {
+    for (const FixedEntry& entry : entries_.fixed) {
+      const auto index = static_cast<int>(scene_.fixed.size());
+      SceneFixed fixed;
+      fixed.name = entry.name.value_or(fmt::format("fixed{}", index + 1));
+      fixed.size = entry.size.extent;
+      fixed.position = local_center(entry.standing, entry.size);
+      fixed.angle = angle_of(entry.turn);
+      fixed.material = material_of(entry.surface);
+      groups_.add({BodyKind::fixed, index, 1, PlacedBy::standing, &entry.origin, &entry.standing,
+                   fixed.name});
+      scene_.fixed.push_back(std::move(fixed));
+    }
+  }
+
+  [[nodiscard]] SceneCube cube_of(const BrickEntry& entry, const Brick& brick) const {
+    SceneCube cube;
+    cube.size = brick.size;
+    cube.mass =
+        entry.density ? *entry.density * brick.size.x() * brick.size.y() : entry.mass * brick.share;
+    cube.position = brick.center;
+    cube.material = material_of(entry.surface);
+    cube.color = entry.color;
+    return cube;
+  }
+
+  void add_cubes() {
+    for (const CubeEntry& entry : entries_.cubes) {
+      const auto index = static_cast<int>(scene_.cubes.size());
+      SceneCube cube =
+          cube_of(entry, {local_center(entry.standing, entry.size), entry.size.extent, 1.0});
+      cube.name = entry.name.value_or(fmt::format("cube{}", index + 1));
+      cube.angle = angle_of(entry.turn);
+      cube.velocity = entry.velocity;
+      cube.spin = entry.spin;
+      groups_.add({BodyKind::cube, index, 1, PlacedBy::standing, &entry.origin, &entry.standing,
+                   cube.name});
+      scene_.cubes.push_back(std::move(cube));
+    }
+  }
+
+  void add_generated(const BrickEntry& entry,
+                     const std::vector<Brick>& bricks,
+                     const StandingEntry* standing,
+                     const std::string& default_name) {
+    Group group;
+    group.first = static_cast<int>(scene_.cubes.size());
+    group.count = static_cast<int>(bricks.size());
+    group.placed_by = standing == nullptr ? PlacedBy::pile : PlacedBy::standing;
+    group.origin = &entry.origin;
+    group.standing = standing;
+    group.name = entry.name.value_or(default_name);
+    int number = 0;
+    for (const Brick& brick : bricks) {
+      SceneCube cube = cube_of(entry, brick);
+      cube.name = fmt::format("{}_{}", group.name, ++number);
+      scene_.cubes.push_back(std::move(cube));
+    }
+    groups_.add(std::move(group));
+  }
+
+  void add_generators() {
+    int number = 0;
+    for (const TowerEntry& tower : entries_.towers) {
+      add_generated(tower, tower_layout(tower), &tower.standing, fmt::format("tower{}", ++number));
+    }
+    number = 0;
+    for (const WallEntry& wall : entries_.walls) {
+      add_generated(wall, wall_layout(wall), &wall.standing, fmt::format("wall{}", ++number));
+    }
+    number = 0;
+    for (const PyramidEntry& pyramid : entries_.pyramids) {
+      add_generated(pyramid, pyramid_layout(pyramid), &pyramid.standing,
+                    fmt::format("pyramid{}", ++number));
+    }
+    number = 0;
+    for (const PileEntry& pile : entries_.piles) {
+      const Brick brick{Vec2::Zero(), pile.size.extent, 1.0};
+      const std::vector<Brick> bricks(static_cast<std::size_t>(pile.count), brick);
+      add_generated(pile, bricks, nullptr, fmt::format("pile{}", ++number));
+    }
+  }
+
+  /// Piles are the last groups and the last cubes: all others are in their places, and so are
+  /// earlier piles.
+  void scatter_piles() {
+    if (entries_.piles.empty()) return;
+    std::vector<Box> obstacles;
+    for (const SceneFixed& fixed : scene_.fixed) {
+      obstacles.push_back(make_box(fixed.position, fixed.angle, fixed.size));
+    }
+    std::int64_t scattered = 0;
+    for (const PileEntry& pile : entries_.piles)
+      scattered += pile.count;
+    auto next = scene_.cubes.end() - scattered;
+    for (auto cube = scene_.cubes.begin(); cube != next; ++cube) {
+      obstacles.push_back(make_box(cube->position, cube->angle, cube->size));
+    }
+    for (const PileEntry& pile : entries_.piles) {
+      const std::vector<PilePose> poses = scatter(pile, obstacles, scene_.planes);
+      if (static_cast<std::int64_t>(poses.size()) < pile.count) {
+        source_.fail(place_of(pile.origin, "region"), pile.origin.path,
+                     fmt::format("only {} of {} cubes found a place clear of all others; enlarge "
+                                 "the region or ask for fewer",
+                                 poses.size(), pile.count));
+      }
+      for (const PilePose& pose : poses) {
+        next->position = pose.position;
+        next->angle = pose.angle;
+        obstacles.push_back(make_box(next->position, next->angle, next->size));
+        ++next;
+      }
+    }
+  }
+
+  void add_pairs(const BodyNames& names) {
+    std::set<std::pair<BodyRef, BodyRef>> seen;
+    for (const PairEntry& entry : entries_.pairs) {
+      const BodyRef a = find_body(names, entry.bodies[0], entry.origin, "bodies", source_);
+      const BodyRef b = find_body(names, entry.bodies[1], entry.origin, "bodies", source_);
+      const auto fail = [&](const std::string& message) {
+        source_.fail(place_of(entry.origin, "bodies"), entry.origin.path + ".bodies", message);
+      };
+      if (a == b) fail("must be two different bodies");
+      if (!seen.insert(std::minmax(a, b)).second) {
+        fail(fmt::format("the pair \"{}\", \"{}\" is given twice", entry.bodies[0],
+                         entry.bodies[1]));
+      }
+      scene_.pairs.push_back({entry.bodies, entry.surface.friction, entry.surface.restitution});
+    }
+  }
+
+  /// What generators, faces and densities have computed must be as fit for reading as what was
+  /// written.
+  void check_ranges() const {
+    const auto check = [&](const BodyRef& body, const Vec2& position, double angle, double mass) {
+      const bool fits = is_within(limits::coordinate, position.x())
+                        && is_within(limits::coordinate, position.y())
+                        && is_within(limits::angle, angle) && is_within(limits::mass, mass);
+      if (fits) return;
+      const Origin& origin = *groups_.of(body).origin;
+      source_.fail(
+          origin.table->place, origin.path,
+          fmt::format("\"{}\" would have position [{}, {}], angle {} and mass {}, out of range",
+                      body_name(scene_, body), position.x(), position.y(), angle, mass));
+    };
+    for (std::size_t i = 0; i < scene_.fixed.size(); ++i) {
+      check({BodyKind::fixed, static_cast<int>(i)}, scene_.fixed[i].position, scene_.fixed[i].angle,
+            1.0);
+    }
+    for (std::size_t i = 0; i < scene_.cubes.size(); ++i) {
+      const SceneCube& cube = scene_.cubes[i];
+      check({BodyKind::cube, static_cast<int>(i)}, cube.position, cube.angle, cube.mass);
+    }
+  }
+
+  void check_overlap() const {
+    const std::optional<Overlap> overlap = find_overlap(scene_);
+    if (!overlap) return;
+    const Origin& first = *groups_.of(overlap->first).origin;
+    const Origin& second = *groups_.of(overlap->second).origin;
+    const Origin& later = written_before(second.table->place, first.table->place) ? first : second;
+    source_.fail(later.table->place, later.path,
+                 overlap_message(scene_, *overlap)
+                     + "; move them apart, or let one stand on the other with `on`");
+  }
+
+  const SceneEntries& entries_;
+  const SceneSource& source_;
+  Scene scene_;
+  Groups groups_;
+};
+
+}  // namespace
+
+Scene build_scene(const SceneEntries& entries, const SceneSource& source) {
+  return SceneBuilder(entries, source).build();
+}
+
+}  // namespace wuerfel
