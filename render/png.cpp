@@ -117,7 +117,9 @@ std::vector<PngText> texts_of(const Reader& reader) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts) {
+std::vector<std::uint8_t> encode_png(const Image& image,
+                                     std::span<const PngText> texts,
+                                     PngChannels channels) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height())
                 / 4);
@@ -126,15 +128,16 @@ std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText
   png_set_compression_level(writer.png(), zlib_level);
   png_set_filter(writer.png(), PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_compression_buffer_size(writer.png(), std::size_t{1} << 16U);
-  const bool opaque = image.opaque();
+  const bool alpha =
+      channels == PngChannels::rgba || (channels == PngChannels::automatic && !image.opaque());
   png_set_IHDR(writer.png(), writer.info(), static_cast<png_uint_32>(image.width()),
                static_cast<png_uint_32>(image.height()), 8,
-               opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
+               alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   std::vector<PngText> kept;
   set_texts(writer, texts, kept);
   png_write_info(writer.png(), writer.info());
-  if (opaque) png_set_filler(writer.png(), 0, PNG_FILLER_AFTER);
+  if (!alpha) png_set_filler(writer.png(), 0, PNG_FILLER_AFTER);
   for (int y = 0; y < image.height(); ++y)
     png_write_row(writer.png(), image.row(y));
   png_write_end(writer.png(), writer.info());

@@ -22,9 +22,15 @@ struct PngFile {
   std::vector<PngText> texts;
 };
 
-/// The bytes of a PNG file: RGB where the image is opaque, else RGBA. The same image and texts give
-/// the same bytes.
-std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {});
+enum class PngChannels {
+  automatic,  ///< RGB where the image is opaque, else RGBA
+  rgb,        ///< alpha is left out
+  rgba,
+};
+
+/// The bytes of a PNG file. The same image and texts give the same bytes.
+std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {},
+                                     PngChannels channels = PngChannels::automatic);
 
 /// Reads what any program wrote (palette, grey, 16 bits become RGBA8). Throws RenderError on
 /// damaged data.

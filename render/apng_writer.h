@@ -1,0 +1,30 @@
+/// ApngWriter: animated PNG, lossless and without ffmpeg. The frames are ordinary PNG data in
+/// chunks of their own (https://wiki.mozilla.org/APNG_Specification); libpng here knows nothing of
+/// them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "render/animation.h"
+#include "render/output_file.h"
+
+namespace wuerfel {
+
+class ApngWriter final : public AnimationWriter {
+ public:
+  ApngWriter(const std::string& path, const AnimationSettings& settings);
+  void add(const Image& frame) override;
+  void finish() override;
+
+ private:
+  void begin(std::span<const std::uint8_t> header);
+  void add_control();
+  AnimationSettings settings_;
+  OutputFile output_;
+  std::uint32_t frames_ = 0;
+  std::uint32_t sequence_ = 0;  ///< of control and data chunks
+  std::vector<std::uint8_t> buffer_;
+};
+
+}  // namespace wuerfel
