@@ -3,17 +3,21 @@
 namespace wuerfel {
 
 std::string_view to_string(Integrator integrator) {
-  return integrator == Integrator::euler ? "euler" : "symplectic";
+  switch (integrator) {
+    case Integrator::euler:
+      return "euler";
+    case Integrator::symplectic:
+      return "symplectic";
+  }
+  return "?";
 }
 
 std::string_view to_string(Formulation formulation) {
-  return formulation == Formulation::points ? "points" : "rigid";
-}
-
-std::string_view to_string(QpMethod method) {
-  switch (method) {
-    case QpMethod::ipopt:
-      return "ipopt";
+  switch (formulation) {
+    case Formulation::points:
+      return "points";
+    case Formulation::rigid:
+      return "rigid";
   }
   return "?";
 }

@@ -26,6 +26,5 @@ struct MotionSettings {
 
 std::string_view to_string(Integrator integrator);
 std::string_view to_string(Formulation formulation);
-std::string_view to_string(QpMethod method);
 
 }  // namespace wuerfel
