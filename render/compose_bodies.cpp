@@ -32,6 +32,9 @@ BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box) {
                      static_cast<float>(0.5 * box.size.y() * ppm)};
   const float smaller = std::min(shape.half_size.x, shape.half_size.y);
   shape.fill = body_color(parts.style, box);
+  // Coloured rods want quiet bodies.
+  if (parts.has(Layer::rod_forces))
+    shape.fill = mix(shape.fill, with_alpha(parts.style.halo, 1.0), 0.6);
   if (box.fixed) {
     shape.outline = parts.style.ground_line;
   } else {

@@ -145,15 +145,15 @@ void add_trails(const FrameParts& parts) {
     SnapshotBox owner;
     owner.color_index = trail.color_index;
     owner.color = trail.color;
-    const Color color = mix(body_color(parts.style, owner), parts.style.ink, 0.15);
+    const Color color = mix(body_color(parts.style, owner), parts.style.ink, 0.3);
     SegmentShape segment;
-    segment.half_width = parts.weight(1.1);
+    segment.half_width = parts.weight(1.7);
     segment.round = 0.0F;
     for (std::size_t i = 1; i < trail.path.size(); ++i) {
       const double age = static_cast<double>(i) / static_cast<double>(trail.path.size());
       segment.from = parts.pixel(trail.path[i - 1]);
       segment.to = parts.pixel(trail.path[i]);
-      segment.color = with_alpha(color, 0.1 + 0.8 * age);
+      segment.color = with_alpha(color, 0.2 + 0.8 * age);
       parts.list.add(segment);
     }
   }

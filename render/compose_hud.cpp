@@ -75,7 +75,7 @@ void add_text(
   shape.color = color;
   // The halo has the colour of what lies below, so that it only shows where bodies are.
   shape.halo = parts.style.halo;
-  if (shape.halo.a > 0 && in_ground(parts, parts.view.to_world(Vec2(x, y))))
+  if (parts.has(Layer::cubes) && in_ground(parts, parts.view.to_world(Vec2(x, y))))
     shape.halo = parts.style.ground;
   shape.halo_width = static_cast<float>(2.5 * parts.unit);
   parts.list.texts.push_back(std::move(shape));

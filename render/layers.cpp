@@ -22,7 +22,10 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::string_view to_string(Layer layer) { return names.at(static_cast<std::size_t>(layer)); }
+std::string_view to_string(Layer layer) {
+  const auto i = static_cast<std::size_t>(layer);
+  return i < names.size() ? names.at(i) : "?";
+}
 
 Layers parse_layers(std::string_view text) {
   Layers layers;

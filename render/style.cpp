@@ -117,20 +117,32 @@ Style print() {
   return style;
 }
 
-/// For slides of any colour: no background, no halo that would show as a fringe.
+/// For slides of any colour: no background; a translucent halo keeps arrows and text readable on
+/// dark ones.
 Style transparent() {
   Style style = light();
   style.theme = Theme::transparent;
   style.background = {0, 0, 0, 0};
-  style.halo = {255, 255, 255, 0};
+  style.halo = with_alpha(rgb(0xFFFFFF), 0.8);
   style.grid = with_alpha(rgb(0x6B7787), 0.25);
   style.grid_axis = with_alpha(rgb(0x6B7787), 0.5);
   return style;
 }
 
+/// A grey as bright as the colour, but never so dark that a black arrow is lost on it.
+Color print_grey(Color color) {
+  constexpr double darkest = 0.6;
+  const auto level =
+      static_cast<std::uint8_t>(255.0 * (darkest + (1.0 - darkest) * brightness(color)));
+  return {level, level, level, 255};
+}
+
 }  // namespace
 
-std::string_view to_string(Theme theme) { return theme_names.at(static_cast<std::size_t>(theme)); }
+std::string_view to_string(Theme theme) {
+  const auto i = static_cast<std::size_t>(theme);
+  return i < theme_names.size() ? theme_names.at(i) : "?";
+}
 
 Theme parse_theme(std::string_view text) {
   const auto* const found = std::ranges::find(theme_names, text);
@@ -155,7 +167,10 @@ Style make_style(Theme theme) {
 }
 
 Color body_color(const Style& style, const SnapshotBox& box) {
-  if (box.color) return {(*box.color)[0], (*box.color)[1], (*box.color)[2], 255};
+  if (box.color) {
+    const Color color{(*box.color)[0], (*box.color)[1], (*box.color)[2], 255};
+    return style.theme == Theme::print ? print_grey(color) : color;
+  }
   if (box.fixed) return style.fixed;
   const auto count = static_cast<int>(style.palette.size());
   const int index = ((box.color_index % count) + count) % count;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "render/error.h"
 
@@ -20,15 +21,22 @@ std::array<Vec2, 4> corners(const SnapshotBox& box) {
           box.center - along + across};
 }
 
-/// Ground farther away than the bodies are wide does not pull the picture towards it.
+bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point) {
+  constexpr double tolerance = 1e-9;
+  return std::ranges::any_of(planes, [&point](const SnapshotPlane& plane) {
+    return (point - plane.point).dot(plane.normal) < -tolerance * (1.0 + point.norm());
+  });
+}
+
+/// The places on the ground below the bodies. Ground farther away than the bodies are wide does not
+/// pull the picture towards it.
 void include_near_ground(const Snapshot& snapshot, Bounds& bounds) {
-  const Bounds bodies = bounds;
-  const double reach = 1.5 * std::max(bodies.size().x(), bodies.size().y());
+  const double reach = 1.5 * std::max(bounds.size().x(), bounds.size().y());
   for (const SnapshotPlane& plane : snapshot.planes) {
-    for (const Vec2& point : {bodies.min, bodies.max, Vec2(bodies.min.x(), bodies.max.y()),
-                              Vec2(bodies.max.x(), bodies.min.y())}) {
-      const double distance = (point - plane.point).dot(plane.normal);
-      if (distance > 0.0 && distance < reach) bounds.include(Vec2(point - distance * plane.normal));
+    for (const SnapshotBox& box : snapshot.boxes) {
+      const double distance = (box.center - plane.point).dot(plane.normal);
+      const Vec2 foot = box.center - distance * plane.normal;
+      if (distance < reach && !inside_any(snapshot.planes, foot)) bounds.include(foot);
     }
   }
 }

@@ -1,0 +1,220 @@
+// Golden pictures of every theme and layer, and proof that the comparison catches what it should.
+//
+//   golden_test                      compares
+//   golden_test --update-golden      stores what is drawn now and says what changed; look at it
+//   before committing golden_test --print-hash         draws one picture and prints the hash of its
+//   pixels
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "render/compare.h"
+#include "render/draw_frame.h"
+#include "tests/support/image_golden.h"
+#include "tests/support/image_scenes.h"
+
+namespace wuerfel::testing {
+namespace {
+
+constexpr int width = 480;
+constexpr int height = 270;
+
+/// One context for all tests of the process: making one takes longer than drawing a hundred
+/// pictures.
+Renderer& shared_renderer() {
+  static const std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
+  return *renderer;
+}
+
+Image draw(const Snapshot& snapshot, const View& view, Theme theme, const FrameOptions& options) {
+  Image image;
+  draw_frame(shared_renderer(), snapshot, view, make_style(theme), options, image);
+  return image;
+}
+
+Image draw_fitted(const Snapshot& snapshot, Theme theme, Layers layers) {
+  const FrameOptions options = literal_options(layers);
+  return draw(snapshot, literal_view(snapshot, make_style(theme), options, width, height), theme,
+              options);
+}
+
+class ThemePicture : public ::testing::TestWithParam<Theme> {};
+
+TEST_P(ThemePicture, LooksAsItDid) {
+  const Image image = draw_fitted(pyramid_snapshot(), GetParam(), default_layers);
+  EXPECT_TRUE(matches_golden("theme-" + std::string(to_string(GetParam())), image));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Golden,
+    ThemePicture,
+    ::testing::Values(Theme::light, Theme::dark, Theme::print, Theme::transparent),
+    [](const auto& tested) { return std::string(to_string(tested.param)); });
+
+struct LayerCase {
+  std::string name;
+  Layers layers;
+};
+
+class LayerPicture : public ::testing::TestWithParam<LayerCase> {};
+
+TEST_P(LayerPicture, LooksAsItDid) {
+  const bool sides = GetParam().layers.has(Layer::sides);
+  const Snapshot snapshot = sides ? two_cubes_snapshot() : pyramid_snapshot();
+  EXPECT_TRUE(matches_golden("layer-" + GetParam().name,
+                             draw_fitted(snapshot, Theme::light, GetParam().layers)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Golden,
+    LayerPicture,
+    ::testing::Values(LayerCase{"cubes", {Layer::cubes}},
+                      LayerCase{"rods", {Layer::cubes, Layer::rods}},
+                      LayerCase{"points", {Layer::cubes, Layer::rods, Layer::points}},
+                      LayerCase{"sides", {Layer::cubes, Layer::sides, Layer::names}},
+                      LayerCase{"normals", {Layer::cubes, Layer::contacts, Layer::normals}},
+                      LayerCase{"forces", {Layer::forces}},
+                      LayerCase{"rod_forces", {Layer::cubes, Layer::rod_forces, Layer::hud}},
+                      LayerCase{"velocities", {Layer::cubes, Layer::velocities, Layer::hud}},
+                      LayerCase{"trails", {Layer::cubes, Layer::trails}},
+                      LayerCase{"contacts", {Layer::cubes, Layer::contacts}},
+                      LayerCase{"grid", {Layer::cubes, Layer::grid}},
+                      LayerCase{"names", {Layer::cubes, Layer::names}},
+                      LayerCase{"hud", {Layer::hud}}),
+    [](const auto& tested) { return tested.param.name; });
+
+TEST(GoldenPicture, ShowsCubesTooSmallForFullLines) {
+  Snapshot snapshot;
+  snapshot.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY()});
+  for (int i = 0; i < 900; ++i) {
+    SnapshotBox box;
+    box.center = Vec2(i % 45 + 0.2 * (i / 45 % 2), 0.5 + i / 45 * 1.05);
+    box.angle = 0.01 * i;
+    box.color_index = i;
+    snapshot.boxes.push_back(box);
+  }
+  EXPECT_TRUE(matches_golden(
+      "crowd", draw_fitted(snapshot, Theme::light, {Layer::cubes, Layer::rods, Layer::hud})));
+}
+
+/// A picture with one thing changed, drawn in the same view.
+class Mutation : public ::testing::Test {
+ protected:
+  Mutation()
+      : options_(literal_options({Layer::cubes, Layer::rods, Layer::forces})),
+        view_(literal_view(snapshot_, make_style(Theme::light), options_, width, height)),
+        original_(draw(snapshot_, view_, Theme::light, options_)) {}
+
+  CompareVerdict verdict() const {
+    return compare_images(original_, draw(snapshot_, view_, Theme::light, options_)).verdict;
+  }
+  double pixel() const { return 1.0 / view_.pixels_per_metre; }
+
+  Snapshot snapshot_ = pyramid_snapshot();
+  FrameOptions options_;
+  View view_;
+  Image original_;
+};
+
+TEST_F(Mutation, NothingChangedIsIdentical) { EXPECT_EQ(verdict(), CompareVerdict::identical); }
+
+TEST_F(Mutation, MissingArrowIsCaught) {
+  snapshot_.forces.pop_back();
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST_F(Mutation, ArrowOnePixelAsideIsCaught) {
+  snapshot_.forces.front().point.x() += pixel();
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST_F(Mutation, ArrowOnePixelLongerIsCaught) {
+  snapshot_.forces.front().force.y() += pixel() / options_.force_scale.metres_per_newton;
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST_F(Mutation, SwappedColoursAreCaught) {
+  std::swap(snapshot_.boxes[0].color_index, snapshot_.boxes[1].color_index);
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST_F(Mutation, MissingCubeIsCaught) {
+  snapshot_.boxes.erase(snapshot_.boxes.begin() + 6);
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST_F(Mutation, MissingRodIsCaught) {
+  snapshot_.rods.erase(snapshot_.rods.begin() + 1);
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST_F(Mutation, CubeTurnedByHalfADegreeIsCaught) {
+  snapshot_.boxes[6].angle += 0.5 * 3.14159265 / 180.0;
+  EXPECT_EQ(verdict(), CompareVerdict::different);
+}
+
+TEST(Golden, MissingReferenceIsAFailure) {
+  EXPECT_FALSE(matches_golden("no-such-picture", Image(4, 4)));
+}
+
+/// Runs this program again with a number of rasteriser threads and reads the hash that it prints.
+std::string hash_with_threads(const std::string& threads) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command = "LP_NUM_THREADS=" + threads + " '" + program + "' --print-hash";
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
+  std::array<char, 64> line{};
+  return std::fgets(line.data(), static_cast<int>(line.size()), output.get()) == nullptr
+             ? ""
+             : line.data();
+}
+
+std::string printed_hash(const Image& image) { return std::to_string(pixel_hash(image)) + "\n"; }
+
+TEST(Pixels, DoNotDependOnTheNumberOfThreads) {
+  const std::string here =
+      printed_hash(draw_fitted(pyramid_snapshot(), Theme::light, default_layers));
+  for (const char* threads : {"0", "1", "2", "5"})
+    EXPECT_EQ(hash_with_threads(threads), here) << threads;
+}
+
+TEST(Pixels, DoNotDependOnWhatWasDrawnBefore) {
+  const Image first = draw_fitted(pyramid_snapshot(), Theme::light, default_layers);
+  draw_fitted(two_cubes_snapshot(), Theme::transparent, {Layer::cubes, Layer::sides, Layer::hud});
+  EXPECT_EQ(first, draw_fitted(pyramid_snapshot(), Theme::light, default_layers));
+}
+
+/// What the arguments beside GoogleTest's ask for; -1: run the tests.
+int run_mode(std::string_view argument) {
+  if (argument == "--print-hash") {
+    std::cout << printed_hash(draw_fitted(pyramid_snapshot(), Theme::light, default_layers));
+    return EXIT_SUCCESS;
+  }
+  if (argument == "--update-golden") {
+    update_golden(shared_renderer().description());
+    // Only the pictures: what proves the comparison has nothing to store.
+    ::testing::GTEST_FLAG(filter) = "Golden/*:GoldenPicture.*";
+    return -1;
+  }
+  std::cerr << "unknown argument " << argument << '\n';
+  return EXIT_FAILURE;
+}
+
+}  // namespace
+}  // namespace wuerfel::testing
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  for (int i = 1; i < argc; ++i) {
+    const int status = wuerfel::testing::run_mode(argv[i]);
+    if (status >= 0) return status;
+  }
+  return RUN_ALL_TESTS();
+}
