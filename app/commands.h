@@ -1,0 +1,70 @@
+/// The subcommands and what each can be told.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/argument.h"
+#include "app/exit_code.h"
+#include "app/scene_source.h"
+#include "app/stopwatch.h"
+#include "app/timetable.h"
+#include "core/settings.h"
+#include "render/layers.h"
+#include "render/style.h"
+
+namespace wuerfel {
+
+/// How pictures look.
+struct PictureOptions {
+  PixelSize size;
+  Layers layers = default_layers;
+  Theme theme = Theme::light;
+  std::optional<double> force_scale;  ///< m/N; none: fits the run
+  std::string view = "fit";           ///< or "x,y,width" in metres
+};
+
+struct RunOptions {
+  SceneChoice scene;
+  MotionSettings motion;
+  PictureOptions picture;
+  FrameRate rate;
+  std::optional<double> until;       ///< s; none: the scene's duration
+  std::vector<double> samples;       ///< s
+  std::vector<std::string> outputs;  ///< folders and films
+  std::string states;                ///< file names, empty: not wanted, `-`: standard output
+  std::string forces;
+  std::string events;
+  std::string summary;
+  bool json = false;
+  bool quiet = false;
+  Stopwatch since_start;  ///< runs since the program began
+};
+
+struct CheckOptions {
+  SceneChoice scene;
+  MotionSettings motion;
+  bool json = false;
+};
+
+struct FigureOptions {
+  SceneChoice scene;
+  MotionSettings motion;
+  PictureOptions picture;
+  double time = 0.0;  ///< s
+  std::string output;
+};
+
+/// Simulates and writes what was asked for.
+ExitCode run(const RunOptions& options);
+/// Answers whether the scene stands.
+ExitCode check(const CheckOptions& options);
+/// Draws one instant.
+ExitCode figure(const FigureOptions& options);
+/// Lists the scenes that come along, or prints the one named.
+ExitCode scenes(const std::string& name);
+/// Prints the JSON Schema of scenes.
+ExitCode schema();
+
+}  // namespace wuerfel

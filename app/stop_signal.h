@@ -1,0 +1,31 @@
+/// Ctrl-C and its relatives: asked for, never obeyed in the middle of a file.
+#pragma once
+
+#include <array>
+#include <csignal>
+
+namespace wuerfel {
+
+/// A signal asked the program to stop. Exit code 128 + number.
+struct Interrupted {
+  int signal = 0;
+};
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP only leave a note (those the caller had ignored stay
+/// ignored). A second one of the same kind ends the program at once.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  /// Throws Interrupted if there is a note.
+  void check() const;
+
+ private:
+  static constexpr std::array<int, 3> signals_{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, 3> before_{};
+};
+
+}  // namespace wuerfel

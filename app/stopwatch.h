@@ -1,0 +1,22 @@
+/// What a run costs: wall-clock and processor time.
+#pragma once
+
+#include <chrono>
+
+namespace wuerfel {
+
+class Stopwatch {
+ public:
+  Stopwatch();
+
+  /// s since construction.
+  [[nodiscard]] double wall() const;
+  /// s of all threads of this process and of the processes it has waited for, since construction.
+  [[nodiscard]] double cpu() const;
+
+ private:
+  std::chrono::steady_clock::time_point wall_start_;
+  double cpu_start_ = 0.0;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,158 @@
+"""Exit codes: 0 fine, 1 falls or moves, 2 usage or scene, 3 undecided, 4 internal, 5 output."""
+import json
+import os
+
+from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main
+
+
+class Usage(ProgramTest):
+    def refuse(self, *arguments):
+        done = self.expect(2, *arguments)
+        self.assertEqual(done.stdout, "", arguments)
+        self.assertTrue(done.stderr.startswith("wuerfel: "), done.stderr)
+        return done.stderr
+
+    def test_version_and_help_are_no_errors(self):
+        self.assertRegex(self.expect(0, "--version").stdout, r"^wuerfel \d+\.\d+\.\d+\n$")
+        self.assertIn("check", self.expect(0, "--help").stdout)
+        self.assertIn("--integrator", self.expect(0, "run", "--help").stdout)
+
+    def test_what_does_not_exist_is_refused(self):
+        scene = self.scene(FLYING)
+        for arguments in ((), ("jump",), ("run",), ("check",), ("figure", scene), ("--json",),
+                          ("run", scene, "--nonsense"), ("run", scene, "--fsp", "30"), ("run", scene, "extra"),
+                          ("run", scene, "--resume"), ("check", scene, "--fps", "30"), ("check", scene, "--margin"),
+                          ("figure", scene, "-o", "a.png", "--strip", "4x2"), ("scenes", "nosuch"),
+                          ("schema", "extra")):
+            with self.subTest(arguments):
+                self.refuse(*arguments)
+
+    def test_values_that_make_no_sense_are_refused(self):
+        scene = self.scene(FLYING)
+        for option, values in {
+                "--fps": ("0", "-30", "nan", "inf", "fast", "", "30x"),
+                "--speed": ("0", "-1", "nan"),
+                "--until": ("-1", "nan", "inf", "soon"),
+                "--size": ("320", "320x", "x180", "0x0", "320x-180", "99999x99999", "320x180x2", "8x8"),
+                "--layers": ("cubes,nothing", "Cubes"),
+                "--theme": ("pink",),
+                "--force-scale": ("0", "-1", "nan"),
+                "--view": ("1,2", "1,2,0", "1,2,-3", "a,b,c", "fitted", "1,2,nan"),
+                "--integrator": ("magic", ""),
+                "--formulation": ("boxes",),
+                "--solver": ("guess",),
+                "--tolerance": ("0", "-1", "nan"),
+                "--step": ("0", "-0.1", "inf"),
+                "--sample": ("", "0.1,", "x", "-0.1", "0.1,,0.2", "1.0000001"),
+                "-o": ("film.xyz", "film", "film.MP4.txt", ""),
+                "--set": ("nonsense", "cube.zzz.angle=1", "=", "gravty=[0,0]")}.items():
+            for value in values:
+                with self.subTest(option=option, value=value):
+                    self.refuse("run", scene, "--until", "1", option, value)
+        self.assertEqual(self.files(), ["scene.json"])
+
+    def test_a_mistyped_name_is_answered_with_the_names_there_are(self):
+        self.assertIn("symplectic", self.refuse("run", self.scene(FLYING), "--integrator", "symplektic"))
+        self.assertIn("cubes", self.refuse("run", self.scene(FLYING), "--layers", "cube"))
+
+    def test_too_many_frames_are_refused_before_they_fill_the_memory(self):
+        self.refuse("run", self.scene(FLYING), "-o", "f/", "--fps", "1e15")
+
+    def test_standard_output_is_for_one_thing_at_a_time(self):
+        self.refuse("run", self.scene(FLYING), "--json", "--states", "-")
+        self.refuse("run", self.scene(FLYING), "--events", "-", "--summary", "-")
+
+
+class Scenes(ProgramTest):
+    def test_a_bad_scene_is_refused_and_nothing_is_written(self):
+        cube = {"position": [0, 1]}
+        for name, text in {
+                "empty": "", "cut": "[1,2", "list": "[1,2]", "brace": "{", "binary": "\0\1\2",
+                "size": json.dumps({"version": 1, "cube": [{**cube, "size": -1}]}),
+                "mass": '{"version":1,"cube":[{"size":1,"mass":1e999,"position":[0,1]}]}',
+                "no bodies": json.dumps({"version": 1, "cube": []}),
+                "unknown key": json.dumps({"version": 1, "cubes": []}),
+                "overlap": json.dumps({"version": 1, "cube": [cube, {"position": [0.3, 1]}]}),
+                "sunk": json.dumps({"version": 1, "plane": [{"point": [0, 0], "normal": [0, 1]}],
+                                    "cube": [{"position": [0, 0.4]}]})}.items():
+            with self.subTest(name):
+                with open(self.path("bad"), "w") as file:
+                    file.write(text)
+                for command in (("run", "bad", "-o", "none/", "--states", "s.csv", "--json"), ("check", "bad", "--json"),
+                                ("figure", "bad", "-o", "none.png")):
+                    done = self.expect(2, *command)
+                    self.assertEqual(done.stdout, "")
+                    self.assertNotEqual(done.stderr, "")
+                self.assertEqual(self.files(), ["bad"])
+
+    def test_a_scene_that_is_not_there_is_named(self):
+        done = self.expect(2, "run", "nowhere.toml")
+        self.assertIn("nowhere.toml", done.stderr)
+        self.expect(2, "run", ".")
+        self.assertIn("fig1_stack", self.expect(2, "run", "fig1_stak").stderr)
+
+
+class Check(ProgramTest):
+    def verdict(self, scene, code, *arguments):
+        answer = json.loads(self.expect(code, "check", self.scene(scene), "--json", *arguments).stdout)
+        self.assertEqual(set(answer), {"verdict", "accelerations", "contacts", "objective", "kkt_residual"})
+        return answer
+
+    def test_what_stands_is_fine(self):
+        answer = self.verdict(STANDING, 0)
+        self.assertEqual(answer["verdict"], "stands")
+        self.assertEqual(set(answer["accelerations"]["a"]), {"ax", "ay", "alpha"})
+        self.assertAlmostEqual(sum(c["force"] for c in answer["contacts"]), 9.81, delta=1e-6)
+        for contact in answer["contacts"]:
+            self.assertEqual(set(contact), {"on", "from", "point", "normal", "force", "tangential", "unique"})
+
+    def test_what_falls_or_moves_is_one(self):
+        self.assertEqual(self.verdict(FALLING, 1)["verdict"], "falls")
+        self.assertEqual(self.verdict(FLYING, 1)["verdict"], "moves")
+
+    def test_set_changes_the_answer(self):
+        self.assertEqual(self.verdict(FALLING, 0, "--set", "cube.b.position=[0.4,1.5]")["verdict"], "stands")
+
+    def test_for_people_the_verdict_comes_first(self):
+        done = self.expect(1, "check", self.scene(FALLING))
+        self.assertTrue(done.stdout.startswith("falls\n"), done.stdout)
+        self.assertIn("largest acceleration: b", done.stdout)
+
+    def test_nobody_reading_is_an_output_error(self):
+        with open("/dev/full", "w") as full:
+            self.expect(5, "check", self.scene(STANDING), "--json", capture_output=False, stdout=full)
+
+
+class Run(ProgramTest):
+    def test_falling_is_no_failure_of_a_run(self):
+        self.expect(0, "run", self.scene(FALLING))
+        self.expect(0, "run", self.scene(LANDING))
+
+    def test_nothing_asked_for_is_nothing_written(self):
+        done = self.expect(0, "run", self.scene(STANDING), "--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        self.assertEqual(self.files(), ["scene.json"])
+
+
+class Listing(ProgramTest):
+    def test_shipped_scenes_are_listed_printed_and_found_by_name(self):
+        names = [line.split()[0] for line in self.expect(0, "scenes").stdout.splitlines()]
+        self.assertIn("fig1_stack", names)
+        self.assertEqual(names, sorted(names))
+        text = self.expect(0, "scenes", "fig1_stack").stdout
+        with open(os.path.join(os.environ["SCENES"], "fig1_stack.toml")) as file:
+            self.assertEqual(text, file.read())
+        on_disk = {name[:-5] for name in os.listdir(os.environ["SCENES"]) if name.endswith(".toml")}
+        self.assertEqual(set(names), on_disk)
+        self.expect(0, "check", "overhang_stands")
+
+    def test_a_file_is_preferred_to_a_shipped_scene(self):
+        self.scene(FLYING, "overhang_stands")
+        self.expect(1, "check", "overhang_stands")
+
+    def test_the_schema_is_json(self):
+        self.assertIn("properties", json.loads(self.expect(0, "schema").stdout))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,133 @@
+"""What `run` reports: the JSON summary, samples, tables, and where they go."""
+import csv
+import json
+
+from program import FALLING, FLYING, FLYING_TOML, LANDING, STANDING, ProgramTest, main
+
+
+class Summary(ProgramTest):
+    def test_the_keys_are_those_of_the_contract(self):
+        s = self.summary(LANDING, "--sample", "0")
+        self.assertEqual(list(s), ["version", "scene", "settings", "t_end", "samples", "events", "audit", "outcome", "cost"])
+        self.assertEqual(set(s["scene"]), {"title", "hash"})
+        self.assertEqual(set(s["settings"]), {"integrator", "formulation", "solver", "tolerance", "step"})
+        self.assertEqual(set(s["audit"]), {"max_penetration", "max_rod_error", "max_kkt_residual", "energy"})
+        self.assertEqual(set(s["audit"]["energy"]), {"start", "end", "impact_loss", "friction_loss", "drift"})
+        self.assertEqual(set(s["outcome"]), {"moved", "at_rest"})
+        self.assertEqual(set(s["cost"]), {"wall_s", "cpu_s", "start_s", "steps", "qp_solves", "qp_skipped", "frames",
+                                          "frames_reused"})
+        self.assertEqual(set(s["samples"][0]["bodies"]["a"]), {"x", "y", "theta", "vx", "vy", "omega"})
+        self.assertEqual(set(s["events"][0]), {"t", "kind", "bodies", "point", "impulse"})
+
+    def test_the_values_are_those_of_the_scene(self):
+        s = self.summary(LANDING, "--step", "0.01", "--integrator", "euler")
+        self.assertEqual(s["scene"]["title"], "landing")
+        self.assertEqual(s["t_end"], 0.05)
+        self.assertEqual((s["settings"]["integrator"], s["settings"]["step"]), ("euler", 0.01))
+        self.assertEqual(s["cost"]["frames"], 0)
+        self.assertAlmostEqual(s["audit"]["energy"]["impact_loss"], 2.0, delta=1e-6)  # m v^2 / 2
+        self.assertEqual(s["events"][0]["kind"], "impact")
+        self.assertEqual(set(s["events"][0]["bodies"]), {"a", "floor"})
+        self.assertGreater(s["cost"]["start_s"], 0.0)
+
+    def test_who_moved_and_who_rests_is_told(self):
+        self.assertEqual(self.summary(STANDING)["outcome"], {"moved": [], "at_rest": True})
+        self.assertEqual(self.summary(FALLING)["outcome"], {"moved": ["b"], "at_rest": False})
+
+    def test_the_hash_names_the_scene_whatever_it_is_written_in(self):
+        from_json = self.summary(FLYING)["scene"]["hash"]
+        with open(self.path("scene.toml"), "w") as file:
+            file.write(FLYING_TOML)
+        from_toml = json.loads(self.expect(0, "run", "scene.toml", "--json").stdout)["scene"]["hash"]
+        self.assertEqual(from_json, from_toml)
+        self.assertNotEqual(from_json, self.summary(FLYING, "--set", "cube.a.angle=0.1")["scene"]["hash"])
+
+    def test_the_same_run_reports_the_same(self):
+        first, second = (self.summary(FALLING, "--sample", "0.05") for _ in range(2))
+        first.pop("cost"), second.pop("cost")
+        self.assertEqual(first, second)
+
+
+class Samples(ProgramTest):
+    def test_times_come_back_exactly_as_asked_in_order_and_once(self):
+        asked = "0.7,0.1,0.30000000000000004,0.1,0,1,0.123456789012345678"
+        samples = self.summary(FLYING, "--sample", asked)["samples"]
+        self.assertEqual([s["t"] for s in samples], [0, 0.1, 0.123456789012345678, 0.30000000000000004, 0.7, 1])
+        for s in samples:
+            self.assertAlmostEqual(s["bodies"]["a"]["x"], s["t"], delta=1e-12)
+
+    def test_the_option_can_be_repeated(self):
+        samples = self.summary(FLYING, "--sample", "0.5", "--sample", "0.25")["samples"]
+        self.assertEqual([s["t"] for s in samples], [0.25, 0.5])
+
+    def test_looking_does_not_change_the_motion(self):
+        alone = self.summary(FALLING, "--sample", "0.1")["samples"]
+        often = self.summary(FALLING, "--sample", "0.001,0.0333,0.07,0.1")["samples"]
+        self.assertEqual(alone[-1], often[-1])
+
+    def test_a_run_of_no_length_shows_the_state_after_the_impact_at_the_start(self):
+        s = self.summary(LANDING, "--until", "0", "--sample", "0")
+        self.assertEqual(s["t_end"], 0)
+        self.assertAlmostEqual(s["samples"][0]["bodies"]["a"]["vy"], 0.0, delta=1e-9)
+
+    def test_until_may_go_beyond_the_duration(self):
+        self.assertEqual(self.summary(FLYING, "--until", "2", "--sample", "2")["t_end"], 2)
+
+
+class Streams(ProgramTest):
+    def test_a_scene_comes_from_standard_input_in_both_languages(self):
+        for text in (json.dumps(FLYING), "\n  " + json.dumps(FLYING), FLYING_TOML):
+            done = self.expect(0, "run", "-", "--json", input=text)
+            self.assertEqual(json.loads(done.stdout)["scene"]["title"], "flying")
+
+    def test_data_goes_to_stdout_and_notes_to_stderr(self):
+        done = self.expect(0, "run", self.scene(FLYING), "--json")
+        json.loads(done.stdout)
+        self.assertNotEqual(done.stderr, "")
+        self.assertEqual(self.expect(0, "run", self.scene(FLYING), "--json", "--quiet").stderr, "")
+
+    def test_the_summary_goes_to_a_file_too(self):
+        s = self.summary(FLYING, "--summary", "s.json")
+        with open(self.path("s.json")) as file:
+            self.assertEqual(json.load(file), s)
+        self.assertEqual(self.expect(0, "run", "scene.json", "--summary", "-").stdout[0], "{")
+
+
+class Tables(ProgramTest):
+    def rows(self, name):
+        with open(self.path(name), newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_states_are_written_at_every_frame_time(self):
+        self.expect(0, "run", self.scene(FALLING), "--fps", "30", "--states", "states.csv")
+        rows = self.rows("states.csv")
+        self.assertEqual([(float(r["t"]), r["body"]) for r in rows],
+                         [(k / 30, body) for k in range(4) for body in ("a", "b")])
+        self.assertEqual(list(rows[0]), ["t", "body", "x", "y", "theta", "vx", "vy", "omega"])
+
+    def test_numbers_in_tables_have_all_their_digits(self):
+        self.expect(0, "run", self.scene(FLYING), "--fps", "7", "--states", "states.csv")
+        sample = self.summary(FLYING, "--sample", repr(3 / 7))["samples"][0]["bodies"]["a"]
+        row = self.rows("states.csv")[3]
+        self.assertEqual({key: float(row[key]) for key in sample}, sample)
+
+    def test_forces_carry_the_weight(self):
+        self.expect(0, "run", self.scene(STANDING), "--fps", "10", "--forces", "forces.csv")
+        rows = self.rows("forces.csv")
+        for t in {r["t"] for r in rows}:
+            lift = sum(float(r["fy"]) for r in rows if r["t"] == t)
+            self.assertAlmostEqual(lift, 9.81, delta=1e-5)
+
+    def test_events_are_lines_of_json(self):
+        s = self.summary(LANDING, "--events", "events.jsonl")
+        with open(self.path("events.jsonl")) as file:
+            self.assertEqual([json.loads(line) for line in file], s["events"])
+
+    def test_a_table_can_go_to_standard_output(self):
+        done = self.expect(0, "run", self.scene(FLYING), "--states", "-", "--fps", "1")
+        self.assertEqual(done.stdout.splitlines()[0], "t,body,x,y,theta,vx,vy,omega")
+        self.assertEqual(len(done.stdout.splitlines()), 3)
+
+
+if __name__ == "__main__":
+    main()
