@@ -62,7 +62,7 @@ View Painter::fit() const {
   if (options_.view != "fit") return parse_view(options_.view, width, height);
   Bounds bounds;
   for (std::size_t k = 0; k < film_.size(); ++k) {
-    bounds.include(film_.frame(k), frame_.force_scale.metres_per_newton);
+    bounds.include(film_.frame(k), frame_.force_scale);
   }
   return fit_view(bounds, width, height, frame_insets(style_, frame_, width, height));
 }

@@ -32,7 +32,7 @@ class ForceRange {
 
  private:
   static constexpr int bins_per_octave = 8;
-  static constexpr int octaves = 120;
+  static constexpr int octaves = 400;
   std::array<std::uint64_t, static_cast<std::size_t>(bins_per_octave* octaves)> histogram_{};
   std::uint64_t count_ = 0;
   double largest_ = 0.0;

@@ -31,7 +31,7 @@ bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point) {
 /// The places on the ground below the bodies. Ground farther away than the bodies are wide does not
 /// pull the picture towards it.
 void include_near_ground(const Snapshot& snapshot, Bounds& bounds) {
-  const double reach = 1.5 * std::max(bounds.size().x(), bounds.size().y());
+  const double reach = 4.0 * std::max(bounds.size().x(), bounds.size().y());
   for (const SnapshotPlane& plane : snapshot.planes) {
     for (const SnapshotBox& box : snapshot.boxes) {
       const double distance = (box.center - plane.point).dot(plane.normal);
@@ -53,13 +53,16 @@ void Bounds::include(const SnapshotBox& box) {
     include(corner);
 }
 
-void Bounds::include(const Snapshot& snapshot, double metres_per_newton) {
+void Bounds::include(const Snapshot& snapshot, const ForceScale& force_scale) {
   for (const SnapshotBox& box : snapshot.boxes)
     include(box);
   if (!empty()) include_near_ground(snapshot, *this);
-  if (metres_per_newton <= 0.0) return;
+  if (force_scale.metres_per_newton <= 0.0) return;
   for (const SnapshotForce& force : snapshot.forces) {
-    include(Vec2(force.point + metres_per_newton * force.force));
+    const double length = force_scale.metres_per_newton * force.force.norm();
+    const double shown = std::min(length, force_scale.longest);
+    if (shown > 0.0)
+      include(Vec2(force.point + force_scale.metres_per_newton * shown / length * force.force));
   }
 }
 

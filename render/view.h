@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/snapshot.h"
+#include "render/force_scale.h"
 
 namespace wuerfel {
 
@@ -19,7 +20,7 @@ struct Bounds {
   void include(const SnapshotBox& box);
   /// All boxes, the tips of force arrows at this scale (m/N, 0: no arrows) and the ground below or
   /// beside them where it is near.
-  void include(const Snapshot& snapshot, double metres_per_newton);
+  void include(const Snapshot& snapshot, const ForceScale& force_scale = {});
 };
 
 /// Pixels kept free at the borders of a picture.

@@ -114,7 +114,7 @@ View literal_view(const Snapshot& snapshot,
                   int width,
                   int height) {
   Bounds bounds;
-  bounds.include(snapshot, options.force_scale.metres_per_newton);
+  bounds.include(snapshot, options.force_scale);
   return fit_view(bounds, width, height, frame_insets(style, options, width, height));
 }
 
