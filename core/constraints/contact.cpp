@@ -241,6 +241,19 @@ ContactMotion contact_motion(const System& system, const State& state, const Con
   return rate <= zero ? ContactMotion::resting : ContactMotion::opening;
 }
 
+Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
+  const Candidates sides = separating_sides(boxes, i, j, std::numeric_limits<double>::max());
+  Candidate best = sides.list[0];
+  for (int m = 1; m < sides.count; ++m) {
+    const Candidate& s = sides.list[static_cast<std::size_t>(m)];
+    if (s.separation > best.separation) best = s;
+  }
+  const Box& a = boxes[static_cast<std::size_t>(best.from)];
+  const Box& b = boxes[static_cast<std::size_t>(best.on)];
+  return deepest_corner(best, a, b,
+                        incident_corners(a, best.side, b, std::numeric_limits<double>::max()));
+}
+
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact) {
   const Box& b = boxes[static_cast<std::size_t>(contact.on)];
   const Body& from = system.body(contact.from);

@@ -57,6 +57,10 @@ ContactMotion contact_motion(const System& system, const State& state, const Con
 /// Length by which a contact's tolerances are measured: the smaller side of the two bodies, m.
 double contact_scale(const System& system, const Contact& contact);
 
+/// The corner and the side that separate two boxes best: where the gap between them is measured,
+/// touching or not.
+Contact nearest_corner(std::span<const Box> boxes, int i, int j);
+
 /// The same corner and side at other poses.
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact);
 

@@ -22,11 +22,6 @@ inline double rod_error(const Vec2& p_i, const Vec2& p_j, double l_ij) {
   return (p_i - p_j).squaredNorm() - l_ij * l_ij;
 }
 
-/// First line of (1) to first order in displacements: <p_i - p_j, d_i - d_j> + error / 2 = 0.
-inline RodRow rod_position_row(const Vec2& p_i, const Vec2& p_j, double l_ij) {
-  return {p_i - p_j, 0.5 * rod_error(p_i, p_j, l_ij)};
-}
-
 /// Second line of (1).
 inline RodRow rod_velocity_row(const Vec2& p_i, const Vec2& p_j) { return {p_i - p_j, 0.0}; }
 

@@ -58,8 +58,8 @@ void ProgramBuilder::add_rods(const State& state, int cube, int first_block, Ord
     const auto i = static_cast<std::size_t>(rod.i);
     const auto j = static_cast<std::size_t>(rod.j);
     const double l_ij = (points.p[i] - points.p[j]).norm();
+    // The cube is rigid here, so that displacements keep lengths to first order as velocities do.
     RodRow row = rod_velocity_row(points.p[i], points.p[j]);
-    if (order == Order::position) row = rod_position_row(points.p[i], points.p[j], l_ij);
     if (order == Order::acceleration) {
       row = rod_acceleration_row(points.p[i], points.p[j], points.v[i], points.v[j]);
     }

@@ -15,8 +15,9 @@ Moment first_moment(const Scene& scene, const System& system) {
   const ContactFinder::Overlap& overlap = finder.deepest();
   if (overlap.depth > touch_tolerance * overlap.scale) {
     std::ostringstream message;
-    message << "bodies \"" << system.body(overlap.a).name << "\" and \"" << system.body(overlap.b).name
-            << "\" overlap by " << overlap.depth << " m; move one of them";
+    message << "bodies \"" << system.body(overlap.a).name << "\" and \""
+            << system.body(overlap.b).name << "\" overlap by " << overlap.depth
+            << " m; move one of them";
     throw SceneError(message.str());
   }
   return moment;

@@ -21,6 +21,7 @@ struct SnapshotRequest {
   bool rod_forces = false;
   bool points = false;
   bool contacts = false;
+  bool sides = false;
 };
 
 class Simulation {

@@ -57,6 +57,10 @@ void settle(const System& system, const Island& island, State& state) {
   }
 }
 
+bool contains(const std::vector<Contact>& contacts, const Contact& c) {
+  return std::ranges::any_of(contacts, [&](const Contact& d) { return d.id() == c.id(); });
+}
+
 bool at_rest(const Island& island, const State& state) {
   return std::ranges::all_of(island.cubes, [&](int cube) {
     const BodyState& s = state[static_cast<std::size_t>(cube)];
@@ -76,7 +80,7 @@ void Stepper::step(Moment& moment, double dt, Bookkeeping& book) {
   // Bestimme die aktiven Restriktionen: done by `arrive` when this moment was reached.
   // Bestimme (a_i): Eq. (9) under (1) and under (7) where (2) = (3) = 0.
   accelerate(moment, book);
-  std::vector<Contact> pressed = pressed_contacts(moment);
+  const std::vector<Contact> pressed = pressed_contacts(moment);
 
   // v := v + a dt,  p := p + v dt
   integrate(moment, dt);
@@ -212,48 +216,56 @@ void Stepper::integrate(Moment& moment, double dt) const {
   }
 }
 
-void Stepper::correct_positions(State& state, std::vector<Contact>& pressed, Bookkeeping& book) {
+void Stepper::correct_positions(State& state, std::vector<Contact> closed, Bookkeeping& book) {
   std::vector<Contact> contacts;
   std::vector<Island> islands;
-  std::vector<SideUse> use;
   for (int round = 0; round < most_corrections; ++round) {
     finder_.find(*system_, state, contacts);
     // A side that was pressed stays closed, unless the corner has left its end.
-    std::erase_if(pressed, [&](Contact& c) {
+    std::erase_if(closed, [&](Contact& c) {
       c = at_poses(*system_, finder_.boxes(), c);
       return c.alpha < 0.0 || c.alpha > 1.0;
     });
-    for (const Contact& c : pressed) {
-      const auto same =
-          std::ranges::find_if(contacts, [&](const Contact& d) { return d.id() == c.id(); });
-      if (same == contacts.end()) contacts.push_back(c);
+    for (const Contact& c : closed) {
+      if (!contains(contacts, c)) contacts.push_back(c);
     }
     find_islands(*system_, contacts, islands);
     bool corrected = false;
     for (const Island& island : islands) {
-      use.clear();
-      bool off = false;
-      for (const Contact& c : island.contacts) {
-        const bool closed =
-            std::ranges::any_of(pressed, [&](const Contact& d) { return d.id() == c.id(); });
-        use.push_back(closed ? SideUse::equality : SideUse::inequality);
-        const double gap = closed ? std::abs(c.gap) : -c.gap;
-        off = off || gap > corrected_gap * contact_scale(*system_, c);
-      }
-      if (!off) continue;
-      IslandSolution solution = dynamics_.correction(state, island, use);
-      if (solution.status == QpStatus::infeasible) {
-        // Closed sides can contradict one another by the step's error: then only overlap is
-        // removed.
-        std::ranges::fill(use, SideUse::inequality);
-        solution = dynamics_.correction(state, island, use);
-      }
-      keep_book(solution, book);
-      displace(island, solution.twists, state);
-      corrected = true;
+      corrected = correct_island(island, state, closed, book) || corrected;
     }
     if (!corrected) return;
   }
+}
+
+bool Stepper::correct_island(const Island& island,
+                             State& state,
+                             std::vector<Contact>& closed,
+                             Bookkeeping& book) {
+  std::vector<SideUse> use;
+  bool off = false;
+  for (const Contact& c : island.contacts) {
+    const bool keep = contains(closed, c);
+    use.push_back(keep ? SideUse::equality : SideUse::inequality);
+    off = off || (keep ? std::abs(c.gap) : -c.gap) > corrected_gap * contact_scale(*system_, c);
+  }
+  if (!off) return false;
+  IslandSolution solution = dynamics_.correction(state, island, use);
+  if (solution.status == QpStatus::infeasible) {
+    // Closed sides can contradict one another by the step's error: then only overlap is removed.
+    std::ranges::fill(use, SideUse::inequality);
+    solution = dynamics_.correction(state, island, use);
+  }
+  keep_book(solution, book);
+  displace(island, solution.twists, state);
+  // What was pushed out of an overlap ends closed, not open by the second order of the
+  // displacement: else the next moment would not see it touch.
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (use[k] == SideUse::inequality && solution.forces[k] > 0.0 && island.contacts[k].gap < 0.0) {
+      closed.push_back(island.contacts[k]);
+    }
+  }
+  return true;
 }
 
 void Stepper::correct_velocities(State& state,

@@ -22,7 +22,11 @@ class Stepper {
 
  private:
   void integrate(Moment& moment, double dt) const;
-  void correct_positions(State& state, std::vector<Contact>& pressed, Bookkeeping& book);
+  void correct_positions(State& state, std::vector<Contact> closed, Bookkeeping& book);
+  bool correct_island(const Island& island,
+                      State& state,
+                      std::vector<Contact>& closed,
+                      Bookkeeping& book);
   void correct_velocities(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
   void strike(Moment& moment, const Island& island, Bookkeeping& book);
   [[nodiscard]] std::vector<Contact> pressed_contacts(const Moment& moment) const;

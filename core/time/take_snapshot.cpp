@@ -34,11 +34,17 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
   }
 }
 
-void add_forces(const Island& island, const std::vector<double>& forces, Snapshot& snapshot) {
+void add_forces(const System& system,
+                const Island& island,
+                const std::vector<double>& forces,
+                Snapshot& snapshot) {
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Contact& c = island.contacts[k];
-    if (forces[k] > 0.0)
-      snapshot.forces.push_back({c.point, forces[k] * c.normal, ForceKind::contact});
+    if (forces[k] <= 0.0) continue;
+    // Shown on a cube: what a cube does to the ground says nothing more.
+    const bool on_cube = system.is_cube(c.on);
+    const Vec2 force = (on_cube ? forces[k] : -forces[k]) * c.normal;
+    snapshot.forces.push_back({c.point, force, ForceKind::contact, on_cube ? c.on : c.from});
   }
 }
 
@@ -79,6 +85,26 @@ void add_contacts(const Island& island, Snapshot& snapshot) {
   }
 }
 
+/// One triangle of Eq. (2) per pair of boxes that are near each other: that of the side that
+/// separates them best.
+void add_sides(const System& system, const State& state, Snapshot& snapshot) {
+  std::vector<Box> boxes;
+  pose_boxes(system, state, boxes);
+  std::vector<Bounds> bounds;
+  for (std::size_t i = 0; i < snapshot.boxes.size(); ++i) {
+    const Vec2 reach = Vec2::Constant(boxes[i].half.norm() + 0.5 * boxes[i].smaller_side());
+    bounds.push_back({boxes[i].center - reach, boxes[i].center + reach});
+  }
+  BroadPhase broad_phase;
+  for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
+    if (!system.is_cube(pair.first)) continue;
+    const Contact c = nearest_corner(boxes, pair.first, pair.second);
+    const Vec2 p_i = boxes[static_cast<std::size_t>(c.from)].center + c.arm_i;
+    const Vec2 p_j = boxes[static_cast<std::size_t>(c.from)].center + c.arm_j;
+    snapshot.sides.push_back({p_i, p_j, c.point, side_area(p_i, p_j, c.point)});
+  }
+}
+
 }  // namespace
 
 Snapshot take_snapshot(const Scene& scene,
@@ -91,6 +117,7 @@ Snapshot take_snapshot(const Scene& scene,
   snapshot.energy = energy(system, moment.state);
   add_bodies(scene, system, moment.state, snapshot);
   if (request.points) add_points(system, moment.state, snapshot);
+  if (request.sides) add_sides(system, moment.state, snapshot);
 
   const bool with_forces = request.forces || request.rod_forces;
   std::vector<char> in_island(moment.state.size(), 0);
@@ -103,7 +130,7 @@ Snapshot take_snapshot(const Scene& scene,
       }
       forces = canonical_forces(system, moment.state, island, accelerations).force;
     }
-    if (request.forces) add_forces(island, forces, snapshot);
+    if (request.forces) add_forces(system, island, forces, snapshot);
     if (request.contacts) add_contacts(island, snapshot);
     for (const int cube : island.cubes) {
       in_island[static_cast<std::size_t>(cube)] = 1;

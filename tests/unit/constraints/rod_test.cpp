@@ -35,17 +35,5 @@ TEST(Rod, AccelerationRowMatchesSecondDifference) {
   }
 }
 
-TEST(Rod, PositionRowRestoresTheLengthToFirstOrder) {
-  RandomNumbers random(3);
-  for (int trial = 0; trial < trials; ++trial) {
-    const Vec2 p_i = random.next_vec2();
-    const Vec2 p_j = p_i + random.next_vec2() + Vec2(2.0, 0.0);
-    const double l = (p_i - p_j).norm() * (1.0 + 1e-6);
-    const RodRow row = rod_position_row(p_i, p_j, l);
-    const Vec2 d = -row.c / row.g.squaredNorm() * row.g;  // smallest d of p_i with row 0
-    EXPECT_NEAR(rod_error(p_i + d, p_j, l), 0.0, 1e-10);
-  }
-}
-
 }  // namespace
 }  // namespace wuerfel::test
