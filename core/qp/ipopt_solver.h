@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/qp/ipopt_module.h"
-#include "core/qp/optimality_residual.h"
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
@@ -28,7 +27,6 @@ class IpoptSolver final : public QpSolver {
   QpSettings settings_;
   std::unique_ptr<IpoptSession> session_;
   std::string trouble_;
-  ResidualScales scales_;
 };
 
 }  // namespace wuerfel

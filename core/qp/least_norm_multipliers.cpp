@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 
 #include "core/qp/non_negative_least_squares.h"
-#include "core/qp/optimality_residual.h"
+#include "core/qp/optimality_meter.h"
 
 namespace wuerfel {
 namespace {
@@ -48,8 +48,8 @@ ForceBalance force_balance(const QuadraticProgram& p,
                            std::span<const double> weight,
                            double tight,
                            std::vector<double>& fixed) {
-  ResidualScales scales;
-  measure_scales(p, scales);
+  OptimalityMeter meter;
+  const ResidualScales& scales = meter.measure_scales(p);
   ForceBalance balance;
   balance.r.resize(p.unknowns());
   for (Index j = 0; j < balance.r.size(); ++j)

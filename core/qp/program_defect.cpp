@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 
 #include "core/qp/qp_solver.h"
@@ -7,8 +7,17 @@
 namespace wuerfel {
 namespace {
 
+/// v * 0 is 0 for every number and not a number for everything else; four sums keep the adders
+/// busy.
 bool all_finite(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+  std::array<double, 4> sum{};
+  std::size_t i = 0;
+  for (; i + 4 <= values.size(); i += 4)
+    for (std::size_t k = 0; k < 4; ++k)
+      sum[k] += values[i + k] * 0.0;
+  for (; i < values.size(); ++i)
+    sum[0] += values[i] * 0.0;
+  return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
 }
 
 std::string_view size_defect(const QuadraticProgram& p) {

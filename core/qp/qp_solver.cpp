@@ -1,5 +1,6 @@
 #include "core/qp/qp_solver.h"
 
+#include "core/qp/block_solver.h"
 #include "core/qp/ipopt_solver.h"
 
 namespace wuerfel {
@@ -22,6 +23,12 @@ std::string_view to_string(QpStatus status) {
 
 std::string_view to_string(QpMethod method) {
   switch (method) {
+    case QpMethod::automatic:
+      return "auto";
+    case QpMethod::newton:
+      return "newton";
+    case QpMethod::interior_point:
+      return "interior-point";
     case QpMethod::ipopt:
       return "ipopt";
   }
@@ -29,11 +36,8 @@ std::string_view to_string(QpMethod method) {
 }
 
 std::unique_ptr<QpSolver> make_qp_solver(QpMethod method, const QpSettings& settings) {
-  switch (method) {
-    case QpMethod::ipopt:
-      return std::make_unique<IpoptSolver>(settings);
-  }
-  return nullptr;
+  if (method == QpMethod::ipopt) return std::make_unique<IpoptSolver>(settings);
+  return std::make_unique<BlockSolver>(method, settings);
 }
 
 }  // namespace wuerfel

@@ -61,7 +61,12 @@ class QpSolver {
 };
 
 enum class QpMethod {
-  ipopt,  ///< the independent referee: milliseconds even for one cube, driven to rounding
+  automatic,  ///< newton, and interior_point where that does not finish; remembers which of them
+              ///< did
+  newton,     ///< proximal augmented Lagrangian; ends at the multipliers of least norm; best for
+              ///< stacks and small programs
+  interior_point,  ///< regularised Mehrotra method; never much slower, best for big or jammed piles
+  ipopt,           ///< the independent referee: milliseconds even for one cube, driven to rounding
 };
 std::string_view to_string(QpMethod method);
 

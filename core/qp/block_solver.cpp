@@ -1,0 +1,156 @@
+#include "core/qp/block_solver.h"
+
+#include <algorithm>
+
+namespace wuerfel {
+namespace {
+
+constexpr double goal_share = 1e-2;  ///< methods aim this far below the tolerance
+constexpr double best_goal = 2e-14;  ///< but not below rounding
+constexpr int most_newton_factorisations = 20;
+constexpr int patient_newton_factorisations = 400;  ///< where there is no other method
+constexpr int large_problem =
+    1500;  ///< blocks from which newton is tried only where it was right before
+constexpr int retry_newton_after = 32;
+constexpr double worth_settling = 1e-4;
+constexpr double settling_weight = 1e9;  ///< of tight rows, in units of 1 / |g|^2
+
+}  // namespace
+
+BlockSolver::BlockSolver(QpMethod method, const QpSettings& settings, const BlockKernels& kernels)
+    : method_(method), settings_(settings), problem_(kernels) {}
+
+void BlockSolver::forget() {
+  problem_.forget();
+  newton_.forget();
+  interior_point_.forget();
+  winner_ = Winner::none;
+  since_newton_ = 0;
+}
+
+void BlockSolver::solve(const QuadraticProgram& program, QpResult& result) {
+  result.status = QpStatus::invalid;
+  result.residual = {};
+  result.iterations = 0;
+  trouble_ = defect(program);
+  if (!trouble_.empty()) {
+    forget();
+    return;
+  }
+  const ResidualScales& scales = meter_.measure_scales(program);
+  problem_.prepare(program);
+  result.residual.primal = unbounded;
+  run(program, scales, result);
+  if (result.status == QpStatus::infeasible) return;
+  const double worst = result.residual.worst();
+  if (worst > goal() && worst < worth_settling) settle(program, scales, result);
+  result.status =
+      result.residual.worst() <= settings_.tolerance ? QpStatus::optimal : QpStatus::inaccurate;
+}
+
+void BlockSolver::run(const QuadraticProgram& program,
+                      const ResidualScales& scales,
+                      QpResult& result) {
+  if (method_ == QpMethod::newton) {
+    run_newton(program, scales, result);
+    return;
+  }
+  const bool warm = interior_point_.can_start_warm(problem_);
+  if (method_ == QpMethod::automatic) {
+    const bool untried = winner_ == Winner::none && problem_.blocks() <= large_problem;
+    const bool due = ++since_newton_ >= retry_newton_after;
+    if (untried || winner_ == Winner::newton || due) {
+      since_newton_ = 0;
+      if (run_newton(program, scales, result)) {
+        winner_ = Winner::newton;
+        return;
+      }
+    }
+  }
+  winner_ = Winner::interior_point;
+  if (warm && run_interior_point(program, scales, true, result)) return;
+  run_interior_point(program, scales, false, result);
+}
+
+bool BlockSolver::run_newton(const QuadraticProgram& program,
+                             const ResidualScales& scales,
+                             QpResult& result) {
+  const bool alone = method_ == QpMethod::newton;
+  const MethodOutcome outcome = newton_.run(
+      problem_, scales, goal(), alone ? patient_newton_factorisations : most_newton_factorisations);
+  return take(program, outcome, newton_.y(), newton_.multiplier(), result);
+}
+
+bool BlockSolver::run_interior_point(const QuadraticProgram& program,
+                                     const ResidualScales& scales,
+                                     bool warm,
+                                     QpResult& result) {
+  const MethodOutcome outcome = interior_point_.run(problem_, scales, goal(), warm);
+  return take(program, outcome, interior_point_.y(), interior_point_.multiplier(), result);
+}
+
+/// Moves the point onto the rows that carry force, leaving the multipliers. Between bodies of very
+/// different mass y = G' lambda is the small difference of large forces and misses the rows by
+/// their rounding; the other way round the forces hardly notice.
+void BlockSolver::settle(const QuadraticProgram& program,
+                         const ResidualScales& scales,
+                         QpResult& result) {
+  const auto rows = static_cast<std::size_t>(problem_.rows());
+  weight_.resize(rows);
+  rest_.resize(rows);
+  y_.resize(static_cast<std::size_t>(problem_.blocks()));
+  double force = scales.weight;
+  for (std::size_t i = 0; i < rows; ++i)
+    force = std::max(force, std::abs(result.multiplier[i]) * scales.row_norm[i]);
+  problem_.apply_transposed(result.multiplier.data(), y_.data());
+  problem_.apply(y_.data(), rest_.data());
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double slack = rest_[i] - problem_.h()[i];
+    const double distance = slack > 0.0 ? result.multiplier[i] - problem_.force_min()[i]
+                                        : problem_.force_max()[i] - result.multiplier[i];
+    const double norm = scales.row_norm[i];
+    const bool tight = distance * norm * scales.acceleration > std::abs(slack) / norm * force;
+    weight_[i] = tight && problem_.square()[i] > 0.0 ? settling_weight / problem_.square()[i] : 0.0;
+  }
+  problem_.factorise(weight_.data());
+  ++result.iterations;
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < rows; ++i)
+      rest_[i] = weight_[i] * (problem_.h()[i] - rest_[i]);
+    d_.resize(y_.size());
+    problem_.apply_transposed(rest_.data(), d_.data());
+    problem_.solve(d_.data());
+    for (std::size_t b = 0; b < y_.size(); ++b)
+      for (int c = 0; c < 3; ++c)
+        y_[b].v[c] += d_[b].v[c];
+    problem_.apply(y_.data(), rest_.data());
+  }
+  problem_.read(program, y_, x_);
+  const QpResidual residual = meter_.measure(program, x_, result.multiplier);
+  if (residual.worst() >= result.residual.worst()) return;
+  result.residual = residual;
+  result.x = x_;
+}
+
+double BlockSolver::goal() const { return std::max(goal_share * settings_.tolerance, best_goal); }
+
+/// Keeps the answer if it is better than the one in `result`; true if it is good enough or proves
+/// that there is none.
+bool BlockSolver::take(const QuadraticProgram& program,
+                       const MethodOutcome& outcome,
+                       const std::vector<Quad>& y,
+                       const std::vector<double>& multiplier,
+                       QpResult& result) {
+  result.iterations += outcome.factorisations;
+  problem_.read(program, y, x_);
+  const QpResidual residual = meter_.measure(program, x_, multiplier);
+  if (residual.worst() < result.residual.worst()) {
+    result.residual = residual;
+    result.x = x_;
+    result.multiplier = multiplier;
+  }
+  if (outcome.end == MethodEnd::infeasible) result.status = QpStatus::infeasible;
+  return outcome.end == MethodEnd::infeasible || residual.worst() <= settings_.tolerance;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,222 @@
+#include "core/qp/interior_point_method.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+constexpr double proximal = 1e-14;           ///< delta |g|^2
+constexpr double proximal_equality = 1e-10;  ///< the same for rows without finite ends
+constexpr double to_the_boundary = 0.995;
+constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
+constexpr int most_steps = 80;
+
+bool is_finite(double end) { return end != unbounded && end != -unbounded; }
+
+/// Largest |h| among rows that push.
+double size_of(const LeastDistance& problem) {
+  double size = 0.0;
+  for (std::size_t i = 0; i < problem.h().size(); ++i)
+    if (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0)
+      size = std::max(size, std::abs(problem.h()[i]));
+  return size;
+}
+
+}  // namespace
+
+MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
+                                       const ResidualScales& scales,
+                                       double goal,
+                                       bool warm) {
+  resize(problem);
+  start(problem, warm);
+  MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
+  int lost = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    round_off(problem, scales);
+    const double worst = worst_row(problem, scales, Gd_, scratch_);
+    if (worst < outcome.worst) {
+      lost = worst < 0.5 * outcome.worst ? 0 : lost + 1;
+      outcome.worst = worst;
+      best_ = scratch_;
+    } else {
+      ++lost;
+    }
+    if (outcome.worst <= goal) {
+      outcome.end = MethodEnd::reached;
+      break;
+    }
+    if (lost >= 25) break;
+    if (step >= 8 && step % 4 == 0 && proves_infeasible(problem, lambda_, scratch_, d_)) {
+      outcome.end = MethodEnd::infeasible;
+      break;
+    }
+    set_weights(problem);
+    problem.factorise(weight_.data());
+    ++outcome.factorisations;
+    const double mu = complementarity(problem);
+    find_direction(problem, 0.0, false);
+    const double affine = affine_complementarity(problem, longest_step(problem)) / mu;
+    find_direction(problem, affine * affine * affine * mu, true);
+    move(problem, std::min(1.0, to_the_boundary * longest_step(problem)));
+  }
+  solved_ = outcome.end == MethodEnd::reached;
+  problem.apply_transposed(best_.data(), y_.data());
+  return outcome;
+}
+
+void InteriorPointMethod::resize(const LeastDistance& problem) {
+  const auto rows = static_cast<std::size_t>(problem.rows());
+  for (auto* v : {&lambda_, &p_, &q_, &d_lambda_, &d_p_, &d_q_, &weight_, &r_, &rhs_, &Gy_, &Gd_,
+                  &best_, &scratch_})
+    v->resize(rows);
+  for (auto* v : {&y_, &d_})
+    v->resize(static_cast<std::size_t>(problem.blocks()));
+}
+
+void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
+  const double size = size_of(problem) * (warm ? warm_share : 1.0);
+  count_ = 0;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double force_min = problem.force_min()[i];
+    const double force_max = problem.force_max()[i];
+    const double square = problem.square()[i];
+    const double least = square > 0.0 ? size / square : 0.0;
+    double lambda = warm ? lambda_[i] : 0.0;
+    if (square == 0.0 || force_min == force_max) {
+      lambda = is_finite(force_min) ? force_min : 0.0;
+    } else if (is_finite(force_min) && is_finite(force_max)) {
+      const double margin = std::min(least, 0.25 * (force_max - force_min));
+      lambda = std::clamp(lambda, force_min + margin, force_max - margin);
+    } else if (is_finite(force_min)) {
+      lambda = std::max(lambda, force_min + least);
+    } else if (is_finite(force_max)) {
+      lambda = std::min(lambda, force_max - least);
+    }
+    lambda_[i] = lambda;
+    const bool free = lambda > force_min && lambda < force_max && square > 0.0;
+    p_[i] = free && is_finite(force_min) ? std::max(size, warm ? p_[i] : 0.0) : 0.0;
+    q_[i] = free && is_finite(force_max) ? std::max(size, warm ? q_[i] : 0.0) : 0.0;
+    count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
+  }
+  problem.apply_transposed(lambda_.data(), y_.data());
+  problem.apply(y_.data(), Gy_.data());
+}
+
+double InteriorPointMethod::complementarity(const LeastDistance& problem) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    if (p_[i] > 0.0) sum += p_[i] * (lambda_[i] - problem.force_min()[i]);
+    if (q_[i] > 0.0) sum += q_[i] * (problem.force_max()[i] - lambda_[i]);
+  }
+  return count_ > 0 ? std::max(sum / count_, 1e-300) : 1.0;
+}
+
+double InteriorPointMethod::affine_complementarity(const LeastDistance& problem,
+                                                   double step) const {
+  step = std::min(1.0, step);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double lambda = lambda_[i] + step * d_lambda_[i];
+    if (p_[i] > 0.0) sum += (p_[i] + step * d_p_[i]) * (lambda - problem.force_min()[i]);
+    if (q_[i] > 0.0) sum += (q_[i] + step * d_q_[i]) * (problem.force_max()[i] - lambda);
+  }
+  return count_ > 0 ? std::max(sum / count_, 0.0) : 0.0;
+}
+
+void InteriorPointMethod::set_weights(const LeastDistance& problem) {
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double square = problem.square()[i];
+    if (square == 0.0 || problem.force_min()[i] == problem.force_max()[i]) {
+      weight_[i] = 0.0;
+      continue;
+    }
+    double inverse = (p_[i] > 0.0 || q_[i] > 0.0 ? proximal : proximal_equality) * square;
+    if (p_[i] > 0.0) inverse += p_[i] / (lambda_[i] - problem.force_min()[i]);
+    if (q_[i] > 0.0) inverse += q_[i] / (problem.force_max()[i] - lambda_[i]);
+    weight_[i] = 1.0 / inverse;
+    r_[i] = problem.h()[i] - Gy_[i] + p_[i] - q_[i];
+  }
+}
+
+/// One solve with the factors at hand: the affine direction, or the one corrected by its second
+/// order and centred.
+void InteriorPointMethod::find_direction(LeastDistance& problem, double centring, bool corrector) {
+  const double second = corrector ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    double rhs = r_[i] - p_[i] + q_[i];
+    if (p_[i] > 0.0)
+      rhs += (centring - second * d_p_[i] * d_lambda_[i]) / (lambda_[i] - problem.force_min()[i]);
+    if (q_[i] > 0.0)
+      rhs -= (centring + second * d_q_[i] * d_lambda_[i]) / (problem.force_max()[i] - lambda_[i]);
+    rhs_[i] = rhs;
+    scratch_[i] = weight_[i] * rhs;
+  }
+  problem.apply_transposed(scratch_.data(), d_.data());
+  problem.solve(d_.data());
+  problem.apply(d_.data(), Gd_.data());
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double old = second * d_lambda_[i];
+    const double d_lambda = weight_[i] * (rhs_[i] - Gd_[i]);
+    if (p_[i] > 0.0) {
+      const double distance = lambda_[i] - problem.force_min()[i];
+      d_p_[i] = (centring - d_p_[i] * old - p_[i] * d_lambda) / distance - p_[i];
+    }
+    if (q_[i] > 0.0) {
+      const double distance = problem.force_max()[i] - lambda_[i];
+      d_q_[i] = (centring + d_q_[i] * old + q_[i] * d_lambda) / distance - q_[i];
+    }
+    d_lambda_[i] = d_lambda;
+  }
+}
+
+double InteriorPointMethod::longest_step(const LeastDistance& problem) const {
+  double step = 1e300;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    if (p_[i] > 0.0) {
+      if (d_p_[i] < 0.0) step = std::min(step, -p_[i] / d_p_[i]);
+      if (d_lambda_[i] < 0.0)
+        step = std::min(step, (problem.force_min()[i] - lambda_[i]) / d_lambda_[i]);
+    }
+    if (q_[i] > 0.0) {
+      if (d_q_[i] < 0.0) step = std::min(step, -q_[i] / d_q_[i]);
+      if (d_lambda_[i] > 0.0)
+        step = std::min(step, (problem.force_max()[i] - lambda_[i]) / d_lambda_[i]);
+    }
+  }
+  return step;
+}
+
+void InteriorPointMethod::move(LeastDistance& problem, double step) {
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    lambda_[i] += step * d_lambda_[i];
+    if (p_[i] > 0.0) p_[i] = std::max(p_[i] + step * d_p_[i], 1e-300);
+    if (q_[i] > 0.0) q_[i] = std::max(q_[i] + step * d_q_[i], 1e-300);
+  }
+  problem.apply_transposed(lambda_.data(), y_.data());
+  problem.apply(y_.data(), Gy_.data());
+}
+
+/// The iterate with multipliers that are smaller than their distances put at their bounds, in
+/// `scratch_`, its G y in `Gd_`.
+void InteriorPointMethod::round_off(const LeastDistance& problem, const ResidualScales& scales) {
+  double force = scales.weight;
+  for (std::size_t i = 0; i < lambda_.size(); ++i)
+    force = std::max(force, std::abs(lambda_[i]) * scales.row_norm[i]);
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double unit = scales.row_norm[i] * scales.row_norm[i] * scales.acceleration;
+    double lambda = lambda_[i];
+    if (p_[i] > 0.0 && (lambda - problem.force_min()[i]) * unit < p_[i] * force)
+      lambda = problem.force_min()[i];
+    if (q_[i] > 0.0 && (problem.force_max()[i] - lambda_[i]) * unit < q_[i] * force)
+      lambda = problem.force_max()[i];
+    scratch_[i] = lambda;
+  }
+  problem.apply_transposed(scratch_.data(), d_.data());
+  problem.apply(d_.data(), Gd_.data());
+  for (std::size_t i = 0; i < Gd_.size(); ++i)
+    Gd_[i] = problem.h()[i] - Gd_[i];
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,249 @@
+#include "core/qp/newton_method.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+constexpr double first_rho = 1e5;    ///< in units of 1 / |g|^2
+constexpr double last_rho = 1e6;     ///< beyond it the dead zone would be too wide
+constexpr double dead_zone = 1e-14;  ///< times rho max|h|
+constexpr int most_outer_steps = 60;
+
+double dot(const std::vector<Quad>& a, const std::vector<Quad>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i].v[0] * b[i].v[0] + a[i].v[1] * b[i].v[1] + a[i].v[2] * b[i].v[2];
+  return sum;
+}
+
+void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
+  for (std::size_t b = 0; b < y.size(); ++b)
+    for (int c = 0; c < 3; ++c)
+      y[b].v[c] += factor * d[b].v[c];
+}
+
+/// The multiplier of a row that is not active.
+double bound_of(const LeastDistance& problem, std::size_t row, signed char side) {
+  return side < 0 ? problem.force_min()[row] : problem.force_max()[row];
+}
+
+}  // namespace
+
+MethodOutcome NewtonMethod::run(LeastDistance& problem,
+                                const ResidualScales& scales,
+                                double goal,
+                                int most_factorisations) {
+  start(problem);
+  first_point(problem);
+  MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
+  int lost = 0;
+  for (int outer = 0; outer < most_outer_steps; ++outer) {
+    while (!inner_step(problem))
+      if (factorisations_ >= most_factorisations) {
+        outcome.factorisations = factorisations_;
+        return outcome;
+      }
+    force_ = lambda_;
+    update_multipliers(problem);
+    const double worst = worst_row(problem, scales, rest_, lambda_);
+    lost = worst > 0.5 * outcome.worst ? lost + 1 : 0;
+    const bool slow = worst > 0.1 * outcome.worst;
+    outcome.worst = worst;
+    outcome.factorisations = factorisations_;
+    if (worst <= goal) {
+      outcome.end = MethodEnd::reached;
+      break;
+    }
+    if (outer >= 2 && slow) {
+      for (std::size_t i = 0; i < force_.size(); ++i)
+        raw_[i] = lambda_[i] - force_[i];
+      if (proves_infeasible(problem, raw_, weight_, d_)) {
+        outcome.end = MethodEnd::infeasible;
+        break;
+      }
+    }
+    if (lost >= 3) break;
+    if (slow && rho_ < largest_rho_) {
+      rho_ *= 10.0;
+      factorised_ = false;
+    }
+  }
+  return outcome;
+}
+
+void NewtonMethod::start(const LeastDistance& problem) {
+  const auto rows = static_cast<std::size_t>(problem.rows());
+  const auto blocks = static_cast<std::size_t>(problem.blocks());
+  guess_sides(problem);
+  for (auto* v : {&lambda_, &raw_, &rest_, &Gd_, &weight_, &force_})
+    v->resize(rows);
+  for (auto* v : {&y_, &d_, &rhs_})
+    v->resize(blocks);
+  breakpoints_.reserve(2 * rows);
+  choose_rho(problem);
+  factorised_ = false;
+  factorisations_ = 0;
+}
+
+/// The sides of the last solution where rows are the same; all active where nothing is known:
+/// growing the set from nothing would activate a tower one cube at a time.
+void NewtonMethod::guess_sides(const LeastDistance& problem) {
+  const auto rows = static_cast<std::size_t>(problem.rows());
+  if (side_.empty() || !problem.same_rows()) {
+    former_side_.swap(side_);
+    side_.assign(rows, 0);
+    if (!former_side_.empty())
+      for (std::size_t i = 0; i < rows; ++i)
+        if (const int former = problem.former_row()[i]; former >= 0)
+          side_[i] = former_side_[static_cast<std::size_t>(former)];
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    // A side without a bound cannot be taken, and a row without a range has no choice.
+    const double force_min = problem.force_min()[i];
+    const double force_max = problem.force_max()[i];
+    if (side_[i] != 0 && std::isinf(bound_of(problem, i, side_[i]))) side_[i] = 0;
+    if (force_min == force_max || problem.square()[i] == 0.0) side_[i] = force_min == 0.0 ? -1 : 1;
+  }
+}
+
+/// One rho for all rows, or the multipliers would not be those of least norm; in the middle between
+/// light and heavy ones.
+void NewtonMethod::choose_rho(const LeastDistance& problem) {
+  double size = 0.0;
+  double least = unbounded;
+  double most = 0.0;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double square = problem.square()[i];
+    if (square == 0.0) continue;
+    if (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0)
+      size = std::max(size, std::abs(problem.h()[i]));
+    least = std::min(least, square);
+    most = std::max(most, square);
+  }
+  const double square = most > 0.0 ? std::sqrt(least) * std::sqrt(most) : 1.0;
+  rho_ = first_rho / square;
+  largest_rho_ = last_rho / square;
+  dead_ = dead_zone * rho_ * size;
+}
+
+/// The minimum of phi on the guessed sides, from lambda = 0.
+void NewtonMethod::first_point(LeastDistance& problem) {
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    lambda_[i] = 0.0;
+    const double bound = side_[i] == 0 ? 0.0 : bound_of(problem, i, side_[i]);
+    force_[i] = side_[i] == 0 ? rho_ * problem.h()[i] : bound;
+    weight_[i] = side_[i] == 0 ? rho_ : 0.0;
+  }
+  problem.apply_transposed(force_.data(), y_.data());
+  problem.factorise(weight_.data());
+  factorised_ = true;
+  ++factorisations_;
+  problem.solve(y_.data());
+  find_rest(problem);
+  whole_step_ = true;
+}
+
+/// Where a row belongs that was on `side`. Active rows leave at their bounds, others come in only
+/// `dead` beyond theirs: a row without force and gap would come and go with every rounding error.
+signed char NewtonMethod::side_of(const LeastDistance& problem, std::size_t row, double raw) const {
+  const double dead = side_[row] == 0 ? 0.0 : dead_;
+  return raw <= problem.force_min()[row] + dead   ? -1
+         : raw >= problem.force_max()[row] - dead ? 1
+                                                  : 0;
+}
+
+/// raw = lambda + rho (h - G y) and on which side of its range it is. True if no side changed.
+bool NewtonMethod::find_sides(const LeastDistance& problem) {
+  bool same = true;
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    raw_[i] = lambda_[i] + rho_ * rest_[i];
+    const signed char side = side_of(problem, i, raw_[i]);
+    same = same && side == side_[i];
+    side_[i] = side;
+    force_[i] = side == 0 ? raw_[i] : bound_of(problem, i, side);
+  }
+  return same;
+}
+
+/// One Newton step towards the minimum of phi; true if it has been reached, that is, if the last
+/// step was a whole one and left all rows on their sides. A test on the gradient would never pass:
+/// rho turns rounding of y into large gradients.
+bool NewtonMethod::inner_step(LeastDistance& problem) {
+  const bool same = find_sides(problem);
+  if (same && factorised_ && whole_step_) return true;
+  problem.apply_transposed(force_.data(), rhs_.data());
+  add(-1.0, y_, rhs_);
+  if (!same || !factorised_) {
+    for (std::size_t i = 0; i < weight_.size(); ++i)
+      weight_[i] = side_[i] == 0 ? rho_ : 0.0;
+    problem.factorise(weight_.data());
+    factorised_ = true;
+    ++factorisations_;
+  }
+  d_ = rhs_;
+  problem.solve(d_.data());
+  problem.apply(d_.data(), Gd_.data());
+  const double slope = -dot(rhs_, d_);
+  const double step = keeps_sides(problem) ? 1.0 : line_search(problem, slope);
+  add(step, d_, y_);
+  for (std::size_t i = 0; i < rest_.size(); ++i)
+    rest_[i] -= step * Gd_[i];
+  whole_step_ = step == 1.0;
+  return false;
+}
+
+bool NewtonMethod::keeps_sides(const LeastDistance& problem) const {
+  for (std::size_t i = 0; i < raw_.size(); ++i)
+    if (side_of(problem, i, raw_[i] - rho_ * Gd_[i]) != side_[i]) return false;
+  return true;
+}
+
+/// The step in (0, 1] at which phi is least along d: its derivative is piecewise linear, so its
+/// root is found by walking the places where a row changes sides.
+double NewtonMethod::line_search(const LeastDistance& problem, double slope) {
+  breakpoints_.clear();
+  double curvature = dot(d_, d_);
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    const double rate = rho_ * Gd_[i];
+    if (rate == 0.0) continue;
+    // The row's range as side_of sees it: that of an inactive row is narrower by the dead zone.
+    const double dead = side_[i] == 0 ? 0.0 : dead_;
+    for (const double bound : {problem.force_min()[i] + dead, problem.force_max()[i] - dead}) {
+      const double step = (raw_[i] - bound) / rate;
+      if (step > 0.0 && step < 1.0) breakpoints_.emplace_back(step, static_cast<int>(i));
+    }
+    weight_[i] = side_[i] == 0 ? rho_ : 0.0;
+    if (side_[i] == 0) curvature += rate * Gd_[i];
+  }
+  std::sort(breakpoints_.begin(), breakpoints_.end());
+  double at = 0.0;
+  for (const auto& [next, row] : breakpoints_) {
+    const auto i = static_cast<std::size_t>(row);
+    if (slope + curvature * (next - at) >= 0.0) return at - slope / curvature;
+    slope += curvature * (next - at);
+    at = next;
+    weight_[i] = rho_ - weight_[i];
+    const double change = rho_ * Gd_[i] * Gd_[i];
+    curvature += weight_[i] > 0.0 ? change : -change;
+  }
+  return 1.0;
+}
+
+/// lambda := clamp(raw), y := G' lambda, which makes stationarity exact and large rho harmless.
+void NewtonMethod::update_multipliers(const LeastDistance& problem) {
+  for (std::size_t i = 0; i < lambda_.size(); ++i)
+    lambda_[i] = side_[i] == 0 ? raw_[i] : bound_of(problem, i, side_[i]);
+  problem.apply_transposed(lambda_.data(), y_.data());
+  find_rest(problem);
+  whole_step_ = false;
+}
+
+void NewtonMethod::find_rest(const LeastDistance& problem) {
+  problem.apply(y_.data(), rest_.data());
+  for (std::size_t i = 0; i < rest_.size(); ++i)
+    rest_[i] = problem.h()[i] - rest_[i];
+}
+
+}  // namespace wuerfel
