@@ -57,6 +57,7 @@ class SpawnSettings {
   int start(pid_t& pid, const std::vector<std::string>& arguments) {
     std::vector<std::string> copies = arguments;
     std::vector<char*> pointers;
+    pointers.reserve(copies.size() + 1);
     for (std::string& argument : copies)
       pointers.push_back(argument.data());
     pointers.push_back(nullptr);

@@ -20,17 +20,20 @@ constexpr Color rgb(std::uint32_t hex) {
           255};
 }
 
+/// A number of 0..255 rounded to a channel's value.
+constexpr std::uint8_t channel(double value) {
+  const int below = static_cast<int>(value);
+  return static_cast<std::uint8_t>(value - below < 0.5 ? below : below + 1);
+}
+
 /// The colour at `share` (0..1) of the way from `from` to `to`, alpha too.
 constexpr Color mix(Color from, Color to, double share) {
-  const auto channel = [share](std::uint8_t a, std::uint8_t b) {
-    return static_cast<std::uint8_t>(a + (b - a) * share + 0.5);
-  };
-  return {channel(from.r, to.r), channel(from.g, to.g), channel(from.b, to.b),
-          channel(from.a, to.a)};
+  return {channel(from.r + (to.r - from.r) * share), channel(from.g + (to.g - from.g) * share),
+          channel(from.b + (to.b - from.b) * share), channel(from.a + (to.a - from.a) * share)};
 }
 
 constexpr Color with_alpha(Color color, double alpha) {
-  color.a = static_cast<std::uint8_t>(alpha * 255.0 + 0.5);
+  color.a = channel(alpha * 255.0);
   return color;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "render/frame_parts.h"
@@ -55,10 +54,10 @@ std::vector<Vec2> joints(const std::vector<SnapshotRod>& rods) {
     ends.push_back(rod.a);
     ends.push_back(rod.b);
   }
-  const auto key = [](const Vec2& p) { return std::pair(p.x(), p.y()); };
-  std::ranges::sort(ends, {}, key);
-  const auto repeated = std::ranges::unique(ends, {}, key);
-  ends.erase(repeated.begin(), repeated.end());
+  std::sort(ends.begin(), ends.end(), [](const Vec2& p, const Vec2& q) {
+    return std::pair(p.x(), p.y()) < std::pair(q.x(), q.y());
+  });
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;
 }
 

@@ -26,6 +26,7 @@ namespace wuerfel {
 // clang-format on
 
 struct GlFunctions {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name cannot stand in parentheses
 #define WUERFEL_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
   WUERFEL_GL_FUNCTIONS(WUERFEL_GL_MEMBER)
 #undef WUERFEL_GL_MEMBER

@@ -29,7 +29,8 @@ enum class PngChannels {
 };
 
 /// The bytes of a PNG file. The same image and texts give the same bytes.
-std::vector<std::uint8_t> encode_png(const Image& image, std::span<const PngText> texts = {},
+std::vector<std::uint8_t> encode_png(const Image& image,
+                                     std::span<const PngText> texts = {},
                                      PngChannels channels = PngChannels::automatic);
 
 /// Reads what any program wrote (palette, grey, 16 bits become RGBA8). Throws RenderError on

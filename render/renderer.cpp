@@ -159,6 +159,8 @@ class Renderer::Pipeline {
     GLuint index = 0;
     for (const Attribute& attribute : layout.attributes) {
       const bool color = attribute.floats == 0;
+      // OpenGL wants an offset into the buffer as a pointer.
+      // NOLINTNEXTLINE(performance-no-int-to-ptr)
       const auto* const offset = reinterpret_cast<const void*>(attribute.offset);
       gl_.EnableVertexAttribArray(index);
       gl_.VertexAttribPointer(index, color ? 4 : attribute.floats,

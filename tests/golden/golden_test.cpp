@@ -96,7 +96,8 @@ TEST(GoldenPicture, ShowsCubesTooSmallForFullLines) {
   snapshot.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY()});
   for (int i = 0; i < 900; ++i) {
     SnapshotBox box;
-    box.center = Vec2(i % 45 + 0.2 * (i / 45 % 2), 0.5 + i / 45 * 1.05);
+    const int row = i / 45;
+    box.center = Vec2(i % 45 + 0.2 * (row % 2), 0.5 + 1.05 * row);
     box.angle = 0.01 * i;
     box.color_index = i;
     snapshot.boxes.push_back(box);
@@ -109,55 +110,55 @@ TEST(GoldenPicture, ShowsCubesTooSmallForFullLines) {
 class Mutation : public ::testing::Test {
  protected:
   Mutation()
-      : options_(literal_options({Layer::cubes, Layer::rods, Layer::forces})),
-        view_(literal_view(snapshot_, make_style(Theme::light), options_, width, height)),
-        original_(draw(snapshot_, view_, Theme::light, options_)) {}
+      : options(literal_options({Layer::cubes, Layer::rods, Layer::forces})),
+        view(literal_view(snapshot, make_style(Theme::light), options, width, height)),
+        original(draw(snapshot, view, Theme::light, options)) {}
 
   CompareVerdict verdict() const {
-    return compare_images(original_, draw(snapshot_, view_, Theme::light, options_)).verdict;
+    return compare_images(original, draw(snapshot, view, Theme::light, options)).verdict;
   }
-  double pixel() const { return 1.0 / view_.pixels_per_metre; }
+  double pixel() const { return 1.0 / view.pixels_per_metre; }
 
-  Snapshot snapshot_ = pyramid_snapshot();
-  FrameOptions options_;
-  View view_;
-  Image original_;
+  Snapshot snapshot = pyramid_snapshot();
+  FrameOptions options;
+  View view;
+  Image original;
 };
 
 TEST_F(Mutation, NothingChangedIsIdentical) { EXPECT_EQ(verdict(), CompareVerdict::identical); }
 
 TEST_F(Mutation, MissingArrowIsCaught) {
-  snapshot_.forces.pop_back();
+  snapshot.forces.pop_back();
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, ArrowOnePixelAsideIsCaught) {
-  snapshot_.forces.front().point.x() += pixel();
+  snapshot.forces.front().point.x() += pixel();
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, ArrowOnePixelLongerIsCaught) {
-  snapshot_.forces.front().force.y() += pixel() / options_.force_scale.metres_per_newton;
+  snapshot.forces.front().force.y() += pixel() / options.force_scale.metres_per_newton;
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, SwappedColoursAreCaught) {
-  std::swap(snapshot_.boxes[0].color_index, snapshot_.boxes[1].color_index);
+  std::swap(snapshot.boxes[0].color_index, snapshot.boxes[1].color_index);
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, MissingCubeIsCaught) {
-  snapshot_.boxes.erase(snapshot_.boxes.begin() + 6);
+  snapshot.boxes.erase(snapshot.boxes.begin() + 6);
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, MissingRodIsCaught) {
-  snapshot_.rods.erase(snapshot_.rods.begin() + 1);
+  snapshot.rods.erase(snapshot.rods.begin() + 1);
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, CubeTurnedByHalfADegreeIsCaught) {
-  snapshot_.boxes[6].angle += 0.5 * 3.14159265 / 180.0;
+  snapshot.boxes[6].angle += 0.5 * 3.14159265 / 180.0;
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 

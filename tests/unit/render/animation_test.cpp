@@ -42,25 +42,25 @@ class Film : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path()
-              / ("wuerfel-" + std::to_string(getpid()) + test->name());
-    std::filesystem::create_directories(folder_);
-    settings_.width = 64;
-    settings_.height = 48;
-    settings_.fps = 25.0;
-    settings_.palette = animation_palette(make_style(Theme::light));
+    folder = std::filesystem::temp_directory_path()
+             / ("wuerfel-" + std::to_string(getpid()) + test->name());
+    std::filesystem::create_directories(folder);
+    settings.width = 64;
+    settings.height = 48;
+    settings.fps = 25.0;
+    settings.palette = animation_palette(make_style(Theme::light));
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  bool folder_is_empty() const { return std::filesystem::is_empty(folder_); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  bool folder_is_empty() const { return std::filesystem::is_empty(folder); }
 
   /// A white picture in which a red bar moves to the right; half of it transparent where that is
   /// asked for.
   Image frame(int number) const {
-    Image image(settings_.width, settings_.height,
-                settings_.transparent ? Color{0, 0, 0, 0} : rgb(0xFFFFFF));
-    for (int y = 0; y < settings_.height; ++y) {
+    Image image(settings.width, settings.height,
+                settings.transparent ? Color{0, 0, 0, 0} : rgb(0xFFFFFF));
+    for (int y = 0; y < settings.height; ++y) {
       for (int x = 4 * number; x < 4 * number + 8; ++x)
         image.set(x, y, make_style(Theme::light).contact);
     }
@@ -68,7 +68,7 @@ class Film : public ::testing::Test {
   }
 
   void write(const std::string& name, int frames) const {
-    const auto writer = make_animation_writer(path(name), settings_);
+    const auto writer = make_animation_writer(path(name), settings);
     for (int i = 0; i < frames; ++i)
       writer->add(frame(i));
     writer->finish();
@@ -87,8 +87,8 @@ class Film : public ::testing::Test {
     return read_png(picture).image;
   }
 
-  std::filesystem::path folder_;
-  AnimationSettings settings_;
+  std::filesystem::path folder;
+  AnimationSettings settings;
 };
 
 TEST_F(Film, Mp4HasSizeRateFramesAndColourTags) {
@@ -106,8 +106,8 @@ TEST_F(Film, Mp4CanBePlayedBeforeItIsLoaded) {
 }
 
 TEST_F(Film, OddSizesArePaddedToEvenOnes) {
-  settings_.width = 63;
-  settings_.height = 47;
+  settings.width = 63;
+  settings.height = 47;
   write("a.mp4", 3);
   EXPECT_EQ(probe("a.mp4", "width,height"), "64,48");
 }
@@ -119,7 +119,7 @@ TEST_F(Film, WebmHasSizeAndFrames) {
 }
 
 TEST_F(Film, TransparentWebmKeepsItsAlpha) {
-  settings_.transparent = true;
+  settings.transparent = true;
   write("a.webm", 4);
   const Image image = decoded("a.webm", 2, "-c:v libvpx-vp9");
   EXPECT_LT(image.at(50, 24).a, 20);
@@ -127,7 +127,7 @@ TEST_F(Film, TransparentWebmKeepsItsAlpha) {
 }
 
 TEST_F(Film, TransparentMp4IsShownOnWhite) {
-  settings_.transparent = true;
+  settings.transparent = true;
   write("a.mp4", 4);
   EXPECT_GT(brightness(decoded("a.mp4", 0).at(50, 24)), 0.97);
 }
@@ -141,15 +141,15 @@ TEST_F(Film, GifHasSizeFramesAndExactPaletteColours) {
 }
 
 TEST_F(Film, GifWithoutPaletteChoosesItsColours) {
-  settings_.palette.clear();
+  settings.palette.clear();
   write("a.gif", 4);
   const Color color = decoded("a.gif", 2).at(11, 24);
   EXPECT_NEAR(color.r, make_style(Theme::light).contact.r, 8);
 }
 
 TEST_F(Film, GifFasterThanViewersShowIsAnError) {
-  settings_.fps = 60.0;
-  EXPECT_THROW(make_animation_writer(path("a.gif"), settings_), RenderError);
+  settings.fps = 60.0;
+  EXPECT_THROW(make_animation_writer(path("a.gif"), settings), RenderError);
   EXPECT_TRUE(folder_is_empty());
 }
 
@@ -162,7 +162,7 @@ TEST_F(Film, ApngIsLosslessAndKnowsItsFrames) {
 }
 
 TEST_F(Film, ApngKeepsAlpha) {
-  settings_.transparent = true;
+  settings.transparent = true;
   write("a.apng", 3);
   EXPECT_EQ(decoded("a.apng", 2), frame(2));
 }
@@ -177,7 +177,7 @@ TEST_F(Film, EqualFramesGiveEqualBytes) {
 
 TEST_F(Film, WithoutFinishNothingRemains) {
   for (const char* name : {"a.mp4", "a.webm", "a.gif", "a.apng"}) {
-    const auto writer = make_animation_writer(path(name), settings_);
+    const auto writer = make_animation_writer(path(name), settings);
     writer->add(frame(0));
   }
   EXPECT_TRUE(folder_is_empty());
@@ -185,43 +185,43 @@ TEST_F(Film, WithoutFinishNothingRemains) {
 
 TEST_F(Film, FrameOfAnotherSizeIsAnError) {
   for (const char* name : {"a.mp4", "a.apng"}) {
-    const auto writer = make_animation_writer(path(name), settings_);
+    const auto writer = make_animation_writer(path(name), settings);
     EXPECT_THROW(writer->add(Image(10, 10)), RenderError);
   }
 }
 
 TEST_F(Film, UnknownSuffixIsAnErrorThatListsTheKnownOnes) {
   EXPECT_FALSE(is_animation_path("a.avi"));
-  EXPECT_THROW(make_animation_writer(path("a.avi"), settings_), RenderError);
+  EXPECT_THROW(make_animation_writer(path("a.avi"), settings), RenderError);
 }
 
 TEST_F(Film, FolderThatCannotBeWrittenIsAnError) {
   std::ofstream(path("file")) << "in the way";
-  EXPECT_THROW(make_animation_writer(path("file/a.mp4"), settings_), OutputError);
+  EXPECT_THROW(make_animation_writer(path("file/a.mp4"), settings), OutputError);
 }
 
 /// An ffmpeg of our own on the PATH, which behaves as `script` says.
 class FakeFfmpeg : public Film {
  protected:
   void install(const std::string& script) {
-    std::filesystem::create_directories(folder_ / "bin");
+    std::filesystem::create_directories(folder / "bin");
     const std::string program = path("bin/ffmpeg");
     std::ofstream(program) << "#!/bin/sh\n" << script << '\n';
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-    setenv("PATH", (path("bin") + ":" + path_).c_str(), 1);
+    setenv("PATH", (path("bin") + ":" + real_path).c_str(), 1);
   }
   void SetUp() override {
     Film::SetUp();
-    path_ = std::getenv("PATH");
+    real_path = std::getenv("PATH");
   }
   void TearDown() override {
-    setenv("PATH", path_.c_str(), 1);
+    setenv("PATH", real_path.c_str(), 1);
     Film::TearDown();
   }
   /// The message of the error that comes up while frames are added and the film is finished.
   std::string failure() {
     try {
-      const auto writer = make_animation_writer(path("a.mp4"), settings_);
+      const auto writer = make_animation_writer(path("a.mp4"), settings);
       for (int i = 0; i < 2000; ++i)
         writer->add(frame(i % 10));
       writer->finish();
@@ -230,7 +230,7 @@ class FakeFfmpeg : public Film {
     }
     return "no error";
   }
-  std::string path_;
+  std::string real_path;
 };
 
 TEST_F(FakeFfmpeg, MissingIsAnErrorThatSaysWhatToInstall) {

@@ -15,9 +15,9 @@ namespace {
 class Composition : public ::testing::Test {
  protected:
   DrawList compose(Layers layers) {
-    options_.layers = layers;
-    view_ = testing::literal_view(snapshot_, style_, options_, 640, 360);
-    return compose_frame(snapshot_, view_, style_, options_, font_);
+    options.layers = layers;
+    view = testing::literal_view(snapshot, style, options, 640, 360);
+    return compose_frame(snapshot, view, style, options, font);
   }
   /// Arrows of a colour without their halos.
   std::vector<ArrowShape> arrows_of(const DrawList& list, Color color) const {
@@ -28,11 +28,11 @@ class Composition : public ::testing::Test {
     return found;
   }
 
-  Snapshot snapshot_ = testing::pyramid_snapshot();
-  Style style_ = make_style(Theme::light);
-  FrameOptions options_ = testing::literal_options(default_layers);
-  View view_;
-  Font font_;
+  Snapshot snapshot = testing::pyramid_snapshot();
+  Style style = make_style(Theme::light);
+  FrameOptions options = testing::literal_options(default_layers);
+  View view;
+  Font font;
 };
 
 double length(const ArrowShape& arrow) {
@@ -42,34 +42,34 @@ double length(const ArrowShape& arrow) {
 
 TEST_F(Composition, ArrowLengthsAreProportionalToForces) {
   const DrawList list = compose({Layer::forces});
-  const auto arrows = arrows_of(list, style_.friction);
+  const auto arrows = arrows_of(list, style.friction);
   ASSERT_EQ(arrows.size(), 2U);
-  const double expected = 6.0 * options_.force_scale.metres_per_newton * view_.pixels_per_metre;
+  const double expected = 6.0 * options.force_scale.metres_per_newton * view.pixels_per_metre;
   for (const ArrowShape& arrow : arrows)
     EXPECT_NEAR(length(arrow), expected, 1e-3);
 }
 
 TEST_F(Composition, ArrowsAreEquallyThickWhateverTheForce) {
-  const auto arrows = arrows_of(compose({Layer::forces}), style_.contact);
+  const auto arrows = arrows_of(compose({Layer::forces}), style.contact);
   ASSERT_EQ(arrows.size(), 14U) << "twelve, two of them with a second head";
   const auto [thinnest, thickest] = std::ranges::minmax(arrows, {}, &ArrowShape::half_width);
   EXPECT_EQ(thinnest.half_width, thickest.half_width);
 }
 
 TEST_F(Composition, LongArrowIsCutAndMarkedWithASecondHead) {
-  const std::size_t before = arrows_of(compose({Layer::forces}), style_.contact).size();
-  snapshot_.forces.front().force = Vec2(0.0, 1000.0);
-  const auto arrows = arrows_of(compose({Layer::forces}), style_.contact);
+  const std::size_t before = arrows_of(compose({Layer::forces}), style.contact).size();
+  snapshot.forces.front().force = Vec2(0.0, 1000.0);
+  const auto arrows = arrows_of(compose({Layer::forces}), style.contact);
   ASSERT_EQ(arrows.size(), before + 1);
-  EXPECT_NEAR(length(arrows[0]), options_.force_scale.longest * view_.pixels_per_metre, 1e-2);
+  EXPECT_NEAR(length(arrows[0]), options.force_scale.longest * view.pixels_per_metre, 1e-2);
   EXPECT_LT(length(arrows[1]), length(arrows[0])) << "the second head";
   EXPECT_EQ(arrows[1].tail.x, arrows[0].tail.x);
 }
 
 TEST_F(Composition, NegligibleForceIsNotDrawn) {
-  const std::size_t before = arrows_of(compose({Layer::forces}), style_.contact).size();
-  snapshot_.forces.front().force = Vec2(0.0, 0.5 * options_.force_scale.hidden_below);
-  EXPECT_EQ(arrows_of(compose({Layer::forces}), style_.contact).size(), before - 1);
+  const std::size_t before = arrows_of(compose({Layer::forces}), style.contact).size();
+  snapshot.forces.front().force = Vec2(0.0, 0.5 * options.force_scale.hidden_below);
+  EXPECT_EQ(arrows_of(compose({Layer::forces}), style.contact).size(), before - 1);
 }
 
 TEST_F(Composition, NoHaloIsPaintedOverAnArrow) {
@@ -82,9 +82,9 @@ TEST_F(Composition, NoHaloIsPaintedOverAnArrow) {
 }
 
 TEST_F(Composition, ArrowsOfNeighboursAtOnePointLieSideBySide) {
-  snapshot_.forces = {{Vec2(-1.5, 0.0), Vec2(0.0, 8.0), ForceKind::contact, 0},
-                      {Vec2(-1.5, 0.0), Vec2(0.0, 8.0), ForceKind::contact, 1}};
-  const auto arrows = arrows_of(compose({Layer::forces}), style_.contact);
+  snapshot.forces = {{Vec2(-1.5, 0.0), Vec2(0.0, 8.0), ForceKind::contact, 0},
+                     {Vec2(-1.5, 0.0), Vec2(0.0, 8.0), ForceKind::contact, 1}};
+  const auto arrows = arrows_of(compose({Layer::forces}), style.contact);
   ASSERT_EQ(arrows.size(), 2U);
   EXPECT_LT(arrows[0].tail.x + arrows[0].half_width, arrows[1].tail.x - arrows[1].half_width);
 }
@@ -98,7 +98,7 @@ TEST_F(Composition, LayerThatIsOffLeavesNothing) {
 }
 
 TEST_F(Composition, RodsThatAreNotListedAreDiagonals) {
-  snapshot_.rods.clear();
+  snapshot.rods.clear();
   const DrawList list = compose({Layer::cubes, Layer::rods});
   EXPECT_EQ(std::ranges::count_if(list.boxes,
                                   [](const BoxShape& box) { return box.diagonal_width > 0.0F; }),
@@ -107,7 +107,7 @@ TEST_F(Composition, RodsThatAreNotListedAreDiagonals) {
 }
 
 TEST_F(Composition, MassesHaveAreasProportionalToThem) {
-  snapshot_.points = {{Vec2(0.0, 0.0), 4.0}, {Vec2(1.0, 0.0), 1.0}};
+  snapshot.points = {{Vec2(0.0, 0.0), 4.0}, {Vec2(1.0, 0.0), 1.0}};
   const DrawList list = compose({Layer::points});
   ASSERT_EQ(list.discs.size(), 2U);
   const float border = list.discs[0].outline_width;
@@ -115,34 +115,34 @@ TEST_F(Composition, MassesHaveAreasProportionalToThem) {
 }
 
 TEST_F(Composition, TensionAndCompressionHaveTheirColours) {
-  snapshot_.rods = {{Vec2(0.0, 0.0), Vec2(1.0, 0.0), 5.0}, {Vec2(0.0, 1.0), Vec2(1.0, 1.0), -2.0}};
+  snapshot.rods = {{Vec2(0.0, 0.0), Vec2(1.0, 0.0), 5.0}, {Vec2(0.0, 1.0), Vec2(1.0, 1.0), -2.0}};
   const DrawList list = compose({Layer::rod_forces});
   ASSERT_EQ(list.segments.size(), 4U) << "two halos, two rods";
-  EXPECT_EQ(list.segments[2].color, style_.tension);
-  EXPECT_EQ(list.segments[3].color, style_.compression);
+  EXPECT_EQ(list.segments[2].color, style.tension);
+  EXPECT_EQ(list.segments[3].color, style.compression);
   EXPECT_GT(list.segments[2].half_width, list.segments[3].half_width);
 }
 
 TEST_F(Composition, TrianglesOfEquation2ShowTheirSign) {
-  snapshot_ = testing::two_cubes_snapshot();
+  snapshot = testing::two_cubes_snapshot();
   const DrawList list = compose({Layer::sides});
   ASSERT_EQ(list.triangles.size(), 2U);
-  EXPECT_EQ(list.triangles[0].outline, style_.positive_side);
-  EXPECT_EQ(list.triangles[1].outline, style_.negative_side);
+  EXPECT_EQ(list.triangles[0].outline, style.positive_side);
+  EXPECT_EQ(list.triangles[1].outline, style.negative_side);
   EXPECT_EQ(list.segments.size(), 1U) << "the flat one is a line";
 }
 
 TEST_F(Composition, HudStaysInsideThePictureAtEverySize) {
   for (const auto& [width, height] :
        {std::pair(1280, 720), std::pair(320, 180), std::pair(200, 400)}) {
-    options_.layers = default_layers;
-    view_ = testing::literal_view(snapshot_, style_, options_, width, height);
-    const DrawList list = compose_frame(snapshot_, view_, style_, options_, font_);
+    options.layers = default_layers;
+    view = testing::literal_view(snapshot, style, options, width, height);
+    const DrawList list = compose_frame(snapshot, view, style, options, font);
     ASSERT_GE(list.texts.size(), 3U);
     for (const TextShape& text : list.texts) {
       const double size = static_cast<double>(text.size);
       EXPECT_GE(text.baseline.x, 0.0F) << text.text;
-      EXPECT_LE(static_cast<double>(text.baseline.x) + font_.width(text.text, size), width)
+      EXPECT_LE(static_cast<double>(text.baseline.x) + font.width(text.text, size), width)
           << text.text;
       EXPECT_GE(static_cast<double>(text.baseline.y) - size, 0.0) << text.text;
       EXPECT_LE(text.baseline.y, static_cast<float>(height)) << text.text;
@@ -152,7 +152,7 @@ TEST_F(Composition, HudStaysInsideThePictureAtEverySize) {
 
 TEST_F(Composition, FittedPictureLeavesRoomForArrowsAndHud) {
   const DrawList list = compose(default_layers);
-  for (const ArrowShape& arrow : arrows_of(list, style_.contact)) {
+  for (const ArrowShape& arrow : arrows_of(list, style.contact)) {
     EXPECT_GT(arrow.tip.y, 60.0F * 0.62F);
     EXPECT_LT(arrow.tip.y, 360.0F - 10.0F);
   }
@@ -162,19 +162,19 @@ TEST_F(Composition, LegendHasRoundNumbersAndIsAsLongAsItSays) {
   const DrawList list = compose({Layer::forces, Layer::hud});
   EXPECT_TRUE(std::ranges::any_of(
       list.texts, [](const TextShape& text) { return text.text == "5 N contact"; }));
-  const auto arrows = arrows_of(list, style_.contact);
-  const double expected = 5.0 * options_.force_scale.metres_per_newton * view_.pixels_per_metre;
+  const auto arrows = arrows_of(list, style.contact);
+  const double expected = 5.0 * options.force_scale.metres_per_newton * view.pixels_per_metre;
   EXPECT_TRUE(std::ranges::any_of(arrows, [&](const ArrowShape& arrow) {
     return arrow.tail.y == arrow.tip.y && std::abs(length(arrow) - expected) < 1e-3;
   }));
 }
 
 TEST_F(Composition, LinesAndTextGrowWithThePicture) {
-  options_.layers = default_layers;
+  options.layers = default_layers;
   const auto title_size = [&](int width, int height, double scale) {
-    options_.scale = scale;
-    view_ = testing::literal_view(snapshot_, style_, options_, width, height);
-    return compose_frame(snapshot_, view_, style_, options_, font_).texts.front().size;
+    options.scale = scale;
+    view = testing::literal_view(snapshot, style, options, width, height);
+    return compose_frame(snapshot, view, style, options, font).texts.front().size;
   };
   const float normal = title_size(1280, 720, 1.0);
   EXPECT_FLOAT_EQ(title_size(2560, 1440, 1.0), 2.0F * normal);
@@ -182,7 +182,7 @@ TEST_F(Composition, LinesAndTextGrowWithThePicture) {
 }
 
 TEST_F(Composition, LongTitleIsShortened) {
-  snapshot_.title = std::string(300, 'W');
+  snapshot.title = std::string(300, 'W');
   const DrawList list = compose(default_layers);
   EXPECT_TRUE(list.texts.front().text.ends_with("…"));
 }

@@ -38,14 +38,14 @@ class PngFiles : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path()
-              / ("wuerfel-" + std::to_string(getpid()) + test->name());
-    std::filesystem::create_directories(folder_);
+    folder = std::filesystem::temp_directory_path()
+             / ("wuerfel-" + std::to_string(getpid()) + test->name());
+    std::filesystem::create_directories(folder);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  bool empty() const { return std::filesystem::is_empty(folder_); }
-  std::filesystem::path folder_;
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  bool empty() const { return std::filesystem::is_empty(folder); }
+  std::filesystem::path folder;
 };
 
 TEST(Png, OpaquePictureComesBackPixelByPixel) {

@@ -198,46 +198,46 @@ TEST(Renderer, OpaquePictureStaysOpaque) {
 
 class Pyramid : public ::testing::Test {
  protected:
-  Image drawn(const View& view, Layers layers) {
+  Image drawn(const View& shown, Layers layers) {
     Image image;
     FrameOptions options = testing::literal_options(layers);
-    draw_frame(shared_renderer(), snapshot_, view, style_, options, image);
+    draw_frame(shared_renderer(), snapshot, shown, style, options, image);
     return image;
   }
-  Snapshot snapshot_ = testing::pyramid_snapshot();
-  Style style_ = make_style(Theme::light);
-  View view_ = fixed_view(Vec2(0.0, 1.5), 10.0, 640, 360);  // 64 px per metre: exact in binary
+  Snapshot snapshot = testing::pyramid_snapshot();
+  Style style = make_style(Theme::light);
+  View view = fixed_view(Vec2(0.0, 1.5), 10.0, 640, 360);  // 64 px per metre: exact in binary
 };
 
 TEST_F(Pyramid, CubesHaveTheirColourAtTheirCentres) {
-  const Image image = drawn(view_, {Layer::cubes});
-  for (const SnapshotBox& body : snapshot_.boxes) {
-    const Vec2 p = view_.to_pixel(body.center);
-    EXPECT_EQ(image.at(static_cast<int>(p.x()), static_cast<int>(p.y())), body_color(style_, body))
+  const Image image = drawn(view, {Layer::cubes});
+  for (const SnapshotBox& body : snapshot.boxes) {
+    const Vec2 p = view.to_pixel(body.center);
+    EXPECT_EQ(image.at(static_cast<int>(p.x()), static_cast<int>(p.y())), body_color(style, body))
         << body.name;
   }
 }
 
 TEST_F(Pyramid, NothingIsDrawnOutsideTheBodies) {
-  snapshot_.planes.clear();
-  const Image image = drawn(view_, {Layer::cubes});
+  snapshot.planes.clear();
+  const Image image = drawn(view, {Layer::cubes});
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      const Vec2 world = view_.to_world(Vec2(x + 0.5, y + 0.5));
+      const Vec2 world = view.to_world(Vec2(x + 0.5, y + 0.5));
       bool near = false;
-      for (const SnapshotBox& body : snapshot_.boxes)
+      for (const SnapshotBox& body : snapshot.boxes)
         near = near || (world - body.center).norm() < 0.5 * body.size.norm() + 0.02;
       if (!near) {
-        ASSERT_EQ(image.at(x, y), style_.background) << x << ' ' << y;
+        ASSERT_EQ(image.at(x, y), style.background) << x << ' ' << y;
       }
     }
   }
 }
 
 TEST_F(Pyramid, ArrowTipsAreWhereTheForcesSay) {
-  snapshot_.forces = {{Vec2(2.0, 0.5), Vec2(0.0, 8.0), ForceKind::contact, -1}};
-  const Image image = drawn(view_, {Layer::forces});
-  const Vec2 tip = view_.to_pixel(Vec2(2.0, 1.5));
+  snapshot.forces = {{Vec2(2.0, 0.5), Vec2(0.0, 8.0), ForceKind::contact, -1}};
+  const Image image = drawn(view, {Layer::forces});
+  const Vec2 tip = view.to_pixel(Vec2(2.0, 1.5));
   int top = image.height();
   for (int y = image.height() - 1; y >= 0; --y) {
     for (int x = 0; x < image.width(); ++x) {
@@ -249,9 +249,9 @@ TEST_F(Pyramid, ArrowTipsAreWhereTheForcesSay) {
 
 TEST_F(Pyramid, MovedByWholePixelsIsTheSamePicture) {
   const Layers layers{Layer::cubes};
-  snapshot_.planes.clear();
-  const Image image = drawn(view_, layers);
-  View moved = view_;
+  snapshot.planes.clear();
+  const Image image = drawn(view, layers);
+  View moved = view;
   moved.center += Vec2(3.0 / 64.0, -5.0 / 64.0);
   const Image shifted = drawn(moved, layers);
   for (int y = 0; y + 5 < image.height(); ++y) {
@@ -261,13 +261,13 @@ TEST_F(Pyramid, MovedByWholePixelsIsTheSamePicture) {
 }
 
 TEST_F(Pyramid, MirroredSceneIsTheMirroredPicture) {
-  snapshot_.planes.clear();
-  const Image image = drawn(view_, {Layer::cubes});
-  for (SnapshotBox& body : snapshot_.boxes) {
+  snapshot.planes.clear();
+  const Image image = drawn(view, {Layer::cubes});
+  for (SnapshotBox& body : snapshot.boxes) {
     body.center.x() = -body.center.x();
     body.angle = -body.angle;
   }
-  const Image mirrored = drawn(view_, {Layer::cubes});
+  const Image mirrored = drawn(view, {Layer::cubes});
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const Color a = image.at(x, y);
