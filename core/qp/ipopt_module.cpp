@@ -170,7 +170,6 @@ void set_referee_options(Ipopt::OptionsList& options) {
   options.SetStringValue("jac_c_constant", "yes");
   options.SetStringValue("jac_d_constant", "yes");
   options.SetStringValue("nlp_scaling_method", "none");
-  options.SetStringValue("mu_strategy", "monotone");
   options.SetStringValue("linear_solver", "mumps");
   options.SetNumericValue("bound_relax_factor", 0.0);
   options.SetNumericValue("tol", 1e-22);
@@ -178,6 +177,10 @@ void set_referee_options(Ipopt::OptionsList& options) {
   options.SetNumericValue("acceptable_tol", 1e-22);
   options.SetNumericValue("constr_viol_tol", 1e-12);
   options.SetNumericValue("dual_inf_tol", 1e-12);
+  // Slacks start at the size of the scaled program: started nearer to their bounds, degenerate
+  // programs were taken for infeasible.
+  options.SetNumericValue("bound_push", 1.0);
+  options.SetNumericValue("slack_bound_push", 1.0);
   options.SetIntegerValue("max_iter", 200);
 }
 
@@ -189,7 +192,9 @@ class Session final : public IpoptSession {
     return application_->Initialize("") == Ipopt::Solve_Succeeded;
   }
 
-  bool solve(const IpoptProgram& program, IpoptPoint& point) override {
+  bool solve(const IpoptProgram& program, IpoptBarrier barrier, IpoptPoint& point) override {
+    const bool monotone = barrier == IpoptBarrier::monotone;
+    application_->Options()->SetStringValue("mu_strategy", monotone ? "monotone" : "adaptive");
     Ipopt::SmartPtr<ElasticProgram> problem = new ElasticProgram(program, point);
     application_->OptimizeTNLP(Ipopt::SmartPtr<Ipopt::TNLP>(GetRawPtr(problem)));
     if (IsValid(application_->Statistics()))

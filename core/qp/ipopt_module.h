@@ -28,6 +28,9 @@ struct IpoptPoint {
   bool infeasible = false;  ///< Ipopt ended at the least violation of the rows
 };
 
+/// How the barrier parameter falls.
+enum class IpoptBarrier { monotone, adaptive };
+
 /// What ipopt_module_open returns; one per solver object.
 class IpoptSession {
  public:
@@ -36,7 +39,7 @@ class IpoptSession {
   IpoptSession& operator=(const IpoptSession&) = delete;
   virtual ~IpoptSession() = default;
   /// False if Ipopt gave no point at all. How good the point is must be judged by the caller.
-  virtual bool solve(const IpoptProgram& program, IpoptPoint& point) = 0;
+  virtual bool solve(const IpoptProgram& program, IpoptBarrier barrier, IpoptPoint& point) = 0;
 };
 
 inline constexpr const char* ipopt_module_file = "libwuerfel_ipopt.so";

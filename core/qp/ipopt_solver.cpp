@@ -106,7 +106,7 @@ class ElasticForm {
     multiplier_.resize(source_.size());
   }
 
-  void solve(IpoptSession& session) {
+  void solve(IpoptSession& session, IpoptBarrier barrier) {
     IpoptProgram program;
     program.unknowns = unknowns_;
     program.elastics = static_cast<int>(cost_.size());
@@ -120,7 +120,8 @@ class ElasticForm {
     program.value = value_.data();
     point_.y = y_.data();
     point_.multiplier = multiplier_.data();
-    session.solve(program, point_);
+    point_.infeasible = false;
+    session.solve(program, barrier, point_);
   }
 
   void read(const QuadraticProgram& program, QpResult& result) const {
@@ -244,6 +245,9 @@ std::vector<double> onto_tight_rows(const QuadraticProgram& program,
   return x;
 }
 
+/// Residual below which the rows that look tight are worth a try.
+constexpr double worth_polishing = 0.1;
+
 /// Cubic in the number of unknowns, so for small programs only.
 constexpr int largest_to_polish = 400;
 
@@ -286,26 +290,30 @@ void IpoptSolver::solve(const QuadraticProgram& program, QpResult& result) {
 }
 
 void IpoptSolver::solve_checked(const QuadraticProgram& program, QpResult& result) {
-  const ScaledProgram form = scaled(program);
-  bool infeasible = false;
   if (program.rows() == 0) {
     result.x = program.target;
     result.multiplier.clear();
-  } else {
-    if (!open()) {
-      result.status = QpStatus::unavailable;
-      return;
-    }
-    ElasticForm elastic(program, form);
-    elastic.solve(*session_);
-    elastic.read(program, result);
-    infeasible = elastic.infeasible(program);
+    result.residual = optimality_residual(program, result.x, result.multiplier);
+    result.status = QpStatus::optimal;
+    return;
   }
-  result.residual = optimality_residual(program, result.x, result.multiplier);
-  if (!infeasible && result.residual.worst() < contradiction) polish(program, form, result);
-  result.status = result.residual.worst() <= settings_.tolerance ? QpStatus::optimal
-                  : infeasible                                   ? QpStatus::infeasible
-                                                                 : QpStatus::inaccurate;
+  if (!open()) {
+    result.status = QpStatus::unavailable;
+    return;
+  }
+  const ScaledProgram form = scaled(program);
+  // Degenerate programs defeat now the one, now the other way to lower the barrier.
+  for (const IpoptBarrier barrier : {IpoptBarrier::monotone, IpoptBarrier::adaptive}) {
+    ElasticForm elastic(program, form);
+    elastic.solve(*session_, barrier);
+    elastic.read(program, result);
+    result.residual = optimality_residual(program, result.x, result.multiplier);
+    if (result.residual.worst() < worth_polishing) polish(program, form, result);
+    result.status = result.residual.worst() <= settings_.tolerance ? QpStatus::optimal
+                    : elastic.infeasible(program)                  ? QpStatus::infeasible
+                                                                   : QpStatus::inaccurate;
+    if (result.status == QpStatus::optimal) return;
+  }
 }
 
 }  // namespace wuerfel
