@@ -12,6 +12,9 @@ constexpr int patient_newton_factorisations = 400;  ///< where there is no other
 constexpr int large_problem =
     1500;  ///< blocks from which newton is tried only where it was right before
 constexpr int retry_newton_after = 32;
+constexpr double usual_proximal = 1e-14;
+constexpr double small_proximal =
+    1e-15;  ///< fails less often on jammed walls of very different masses, more often elsewhere
 constexpr double worth_settling = 1e-4;
 constexpr double settling_weight = 1e9;  ///< of tight rows, in units of 1 / |g|^2
 
@@ -42,8 +45,6 @@ void BlockSolver::solve(const QuadraticProgram& program, QpResult& result) {
   result.residual.primal = unbounded;
   run(program, scales, result);
   if (result.status == QpStatus::infeasible) return;
-  const double worst = result.residual.worst();
-  if (worst > goal() && worst < worth_settling) settle(program, scales, result);
   result.status =
       result.residual.worst() <= settings_.tolerance ? QpStatus::optimal : QpStatus::inaccurate;
 }
@@ -52,7 +53,7 @@ void BlockSolver::run(const QuadraticProgram& program,
                       const ResidualScales& scales,
                       QpResult& result) {
   if (method_ == QpMethod::newton) {
-    run_newton(program, scales, result);
+    run_newton(program, scales, patient_newton_factorisations, result);
     return;
   }
   const bool warm = interior_point_.can_start_warm(problem_);
@@ -61,63 +62,50 @@ void BlockSolver::run(const QuadraticProgram& program,
     const bool due = ++since_newton_ >= retry_newton_after;
     if (untried || winner_ == Winner::newton || due) {
       since_newton_ = 0;
-      if (run_newton(program, scales, result)) {
+      if (run_newton(program, scales, most_newton_factorisations, result)) {
         winner_ = Winner::newton;
         return;
       }
     }
   }
   winner_ = Winner::interior_point;
-  if (warm && run_interior_point(program, scales, true, result)) return;
-  run_interior_point(program, scales, false, result);
+  if (warm && run_interior_point(program, scales, true, usual_proximal, result)) return;
+  if (run_interior_point(program, scales, false, usual_proximal, result)) return;
+  run_interior_point(program, scales, false, small_proximal, result);
 }
 
 bool BlockSolver::run_newton(const QuadraticProgram& program,
                              const ResidualScales& scales,
+                             int most,
                              QpResult& result) {
-  const bool alone = method_ == QpMethod::newton;
-  const MethodOutcome outcome = newton_.run(
-      problem_, scales, goal(), alone ? patient_newton_factorisations : most_newton_factorisations);
-  return take(program, outcome, newton_.y(), newton_.multiplier(), result);
+  const MethodOutcome outcome = newton_.run(problem_, scales, goal(), most);
+  return take(program, scales, outcome, newton_.y(), newton_.multiplier(), result);
 }
 
 bool BlockSolver::run_interior_point(const QuadraticProgram& program,
                                      const ResidualScales& scales,
                                      bool warm,
+                                     double proximal,
                                      QpResult& result) {
-  const MethodOutcome outcome = interior_point_.run(problem_, scales, goal(), warm);
-  return take(program, outcome, interior_point_.y(), interior_point_.multiplier(), result);
+  const MethodOutcome outcome = interior_point_.run(problem_, scales, goal(), warm, proximal);
+  return take(program, scales, outcome, interior_point_.y(), interior_point_.multiplier(), result);
 }
 
 /// Moves the point onto the rows that carry force, leaving the multipliers. Between bodies of very
 /// different mass y = G' lambda is the small difference of large forces and misses the rows by
 /// their rounding; the other way round the forces hardly notice.
-void BlockSolver::settle(const QuadraticProgram& program,
-                         const ResidualScales& scales,
-                         QpResult& result) {
-  const auto rows = static_cast<std::size_t>(problem_.rows());
-  weight_.resize(rows);
-  rest_.resize(rows);
-  y_.resize(static_cast<std::size_t>(problem_.blocks()));
-  double force = scales.weight;
-  for (std::size_t i = 0; i < rows; ++i)
-    force = std::max(force, std::abs(result.multiplier[i]) * scales.row_norm[i]);
-  problem_.apply_transposed(result.multiplier.data(), y_.data());
-  problem_.apply(y_.data(), rest_.data());
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double slack = rest_[i] - problem_.h()[i];
-    const double distance = slack > 0.0 ? result.multiplier[i] - problem_.force_min()[i]
-                                        : problem_.force_max()[i] - result.multiplier[i];
-    const double norm = scales.row_norm[i];
-    const bool tight = distance * norm * scales.acceleration > std::abs(slack) / norm * force;
-    weight_[i] = tight && problem_.square()[i] > 0.0 ? settling_weight / problem_.square()[i] : 0.0;
-  }
+QpResidual BlockSolver::settle(const QuadraticProgram& program,
+                               const ResidualScales& scales,
+                               const std::vector<double>& multiplier,
+                               const QpResidual& before,
+                               int& factorisations) {
+  weight_tight_rows(scales, multiplier);
   problem_.factorise(weight_.data());
-  ++result.iterations;
+  ++factorisations;
+  d_.resize(y_.size());
   for (int round = 0; round < 2; ++round) {
-    for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t i = 0; i < rest_.size(); ++i)
       rest_[i] = weight_[i] * (problem_.h()[i] - rest_[i]);
-    d_.resize(y_.size());
     problem_.apply_transposed(rest_.data(), d_.data());
     problem_.solve(d_.data());
     for (std::size_t b = 0; b < y_.size(); ++b)
@@ -125,11 +113,34 @@ void BlockSolver::settle(const QuadraticProgram& program,
         y_[b].v[c] += d_[b].v[c];
     problem_.apply(y_.data(), rest_.data());
   }
+  former_x_.swap(x_);
   problem_.read(program, y_, x_);
-  const QpResidual residual = meter_.measure(program, x_, result.multiplier);
-  if (residual.worst() >= result.residual.worst()) return;
-  result.residual = residual;
-  result.x = x_;
+  const QpResidual after = meter_.measure(program, x_, multiplier);
+  if (after.worst() < before.worst()) return after;
+  x_.swap(former_x_);
+  return before;
+}
+
+/// Rows whose slack is small rather than their force, seen from y = G' lambda; leaves y and G y.
+void BlockSolver::weight_tight_rows(const ResidualScales& scales,
+                                    const std::vector<double>& multiplier) {
+  const auto rows = static_cast<std::size_t>(problem_.rows());
+  weight_.resize(rows);
+  rest_.resize(rows);
+  y_.resize(static_cast<std::size_t>(problem_.blocks()));
+  double force = scales.weight;
+  for (std::size_t i = 0; i < rows; ++i)
+    force = std::max(force, std::abs(multiplier[i]) * scales.row_norm[i]);
+  problem_.apply_transposed(multiplier.data(), y_.data());
+  problem_.apply(y_.data(), rest_.data());
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double slack = rest_[i] - problem_.h()[i];
+    const double distance = slack > 0.0 ? multiplier[i] - problem_.force_min()[i]
+                                        : problem_.force_max()[i] - multiplier[i];
+    const double norm = scales.row_norm[i];
+    const bool tight = distance * norm * scales.acceleration > std::abs(slack) / norm * force;
+    weight_[i] = tight && problem_.square()[i] > 0.0 ? settling_weight / problem_.square()[i] : 0.0;
+  }
 }
 
 double BlockSolver::goal() const { return std::max(goal_share * settings_.tolerance, best_goal); }
@@ -137,20 +148,26 @@ double BlockSolver::goal() const { return std::max(goal_share * settings_.tolera
 /// Keeps the answer if it is better than the one in `result`; true if it is good enough or proves
 /// that there is none.
 bool BlockSolver::take(const QuadraticProgram& program,
+                       const ResidualScales& scales,
                        const MethodOutcome& outcome,
                        const std::vector<Quad>& y,
                        const std::vector<double>& multiplier,
                        QpResult& result) {
   result.iterations += outcome.factorisations;
+  if (outcome.end == MethodEnd::infeasible) {
+    result.status = QpStatus::infeasible;
+    return true;
+  }
   problem_.read(program, y, x_);
-  const QpResidual residual = meter_.measure(program, x_, multiplier);
+  QpResidual residual = meter_.measure(program, x_, multiplier);
+  if (residual.worst() > goal() && residual.worst() < worth_settling)
+    residual = settle(program, scales, multiplier, residual, result.iterations);
   if (residual.worst() < result.residual.worst()) {
     result.residual = residual;
     result.x = x_;
     result.multiplier = multiplier;
   }
-  if (outcome.end == MethodEnd::infeasible) result.status = QpStatus::infeasible;
-  return outcome.end == MethodEnd::infeasible || residual.worst() <= settings_.tolerance;
+  return residual.worst() <= settings_.tolerance;
 }
 
 }  // namespace wuerfel

@@ -26,14 +26,24 @@ class BlockSolver final : public QpSolver {
   enum class Winner { none, newton, interior_point };
 
   void run(const QuadraticProgram& program, const ResidualScales& scales, QpResult& result);
-  bool run_newton(const QuadraticProgram& program, const ResidualScales& scales, QpResult& result);
+  bool run_newton(const QuadraticProgram& program,
+                  const ResidualScales& scales,
+                  int most,
+                  QpResult& result);
   bool run_interior_point(const QuadraticProgram& program,
                           const ResidualScales& scales,
                           bool warm,
+                          double proximal,
                           QpResult& result);
   [[nodiscard]] double goal() const;
-  void settle(const QuadraticProgram& program, const ResidualScales& scales, QpResult& result);
+  QpResidual settle(const QuadraticProgram& program,
+                    const ResidualScales& scales,
+                    const std::vector<double>& multiplier,
+                    const QpResidual& before,
+                    int& factorisations);
+  void weight_tight_rows(const ResidualScales& scales, const std::vector<double>& multiplier);
   bool take(const QuadraticProgram& program,
+            const ResidualScales& scales,
             const MethodOutcome& outcome,
             const std::vector<Quad>& y,
             const std::vector<double>& multiplier,
@@ -48,8 +58,7 @@ class BlockSolver final : public QpSolver {
   std::string_view trouble_;
   Winner winner_ = Winner::none;
   int since_newton_ = 0;  ///< solves since newton was last tried
-  // Scratch of settle.
-  std::vector<double> x_, weight_, rest_;
+  std::vector<double> x_, former_x_, weight_, rest_;
   std::vector<Quad> y_, d_;
 };
 

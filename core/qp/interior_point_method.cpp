@@ -6,48 +6,54 @@
 namespace wuerfel {
 namespace {
 
-constexpr double proximal = 1e-14;           ///< delta |g|^2
-constexpr double proximal_equality = 1e-10;  ///< the same for rows without finite ends
+constexpr double proximal_equality = 1e-10;  ///< delta |g|^2 of rows without finite ends
 constexpr double to_the_boundary = 0.995;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
-constexpr int most_steps = 80;
+constexpr int most_steps = 100;
+constexpr double near = 1e-6;  ///< residual from which on progress is expected in every step
+constexpr int patience = 12;
 
 bool is_finite(double end) { return end != unbounded && end != -unbounded; }
 
-/// Largest |h| among rows that push.
+void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
+  for (std::size_t b = 0; b < y.size(); ++b)
+    for (int c = 0; c < 3; ++c)
+      y[b].v[c] += factor * d[b].v[c];
+}
+
+/// Largest distance of a row that pushes from y = 0.
 double size_of(const LeastDistance& problem) {
   double size = 0.0;
   for (std::size_t i = 0; i < problem.h().size(); ++i)
-    if (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0)
-      size = std::max(size, std::abs(problem.h()[i]));
+    if (problem.square()[i] > 0.0 && (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0))
+      size = std::max(size, std::abs(problem.h()[i]) / std::sqrt(problem.square()[i]));
   return size;
 }
 
 }  // namespace
 
-MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
-                                       const ResidualScales& scales,
-                                       double goal,
-                                       bool warm) {
+MethodOutcome InteriorPointMethod::run(
+    LeastDistance& problem, const ResidualScales& scales, double goal, bool warm, double proximal) {
+  proximal_ = proximal;
   resize(problem);
   start(problem, warm);
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
   int lost = 0;
   for (int step = 0; step < most_steps; ++step) {
-    round_off(problem, scales);
-    const double worst = worst_row(problem, scales, Gd_, scratch_);
+    const double unbalance = round_off(problem, scales);
+    const double worst = std::max(worst_row(problem, scales, rhs_, scratch_), unbalance);
+    const double mu = complementarity(problem);
+    lost = worst < 0.5 * outcome.worst || outcome.worst > near ? 0 : lost + 1;
     if (worst < outcome.worst) {
-      lost = worst < 0.5 * outcome.worst ? 0 : lost + 1;
       outcome.worst = worst;
       best_ = scratch_;
-    } else {
-      ++lost;
+      best_y_ = y_;
     }
     if (outcome.worst <= goal) {
       outcome.end = MethodEnd::reached;
       break;
     }
-    if (lost >= 25) break;
+    if (lost >= patience) break;
     if (step >= 8 && step % 4 == 0 && proves_infeasible(problem, lambda_, scratch_, d_)) {
       outcome.end = MethodEnd::infeasible;
       break;
@@ -55,14 +61,12 @@ MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
     set_weights(problem);
     problem.factorise(weight_.data());
     ++outcome.factorisations;
-    const double mu = complementarity(problem);
     find_direction(problem, 0.0, false);
     const double affine = affine_complementarity(problem, longest_step(problem)) / mu;
     find_direction(problem, affine * affine * affine * mu, true);
     move(problem, std::min(1.0, to_the_boundary * longest_step(problem)));
   }
   solved_ = outcome.end == MethodEnd::reached;
-  problem.apply_transposed(best_.data(), y_.data());
   return outcome;
 }
 
@@ -71,20 +75,21 @@ void InteriorPointMethod::resize(const LeastDistance& problem) {
   for (auto* v : {&lambda_, &p_, &q_, &d_lambda_, &d_p_, &d_q_, &weight_, &r_, &rhs_, &Gy_, &Gd_,
                   &best_, &scratch_})
     v->resize(rows);
-  for (auto* v : {&y_, &d_})
+  for (auto* v : {&y_, &d_, &unbalance_, &best_y_})
     v->resize(static_cast<std::size_t>(problem.blocks()));
 }
 
+/// Cold: every distance and its multiplier have the same product, the square of the size of y.
 void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
   const double size = size_of(problem) * (warm ? warm_share : 1.0);
   count_ = 0;
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
     const double force_min = problem.force_min()[i];
     const double force_max = problem.force_max()[i];
-    const double square = problem.square()[i];
-    const double least = square > 0.0 ? size / square : 0.0;
+    const double norm = std::sqrt(problem.square()[i]);
+    const double least = norm > 0.0 ? size / norm : 0.0;
     double lambda = warm ? lambda_[i] : 0.0;
-    if (square == 0.0 || force_min == force_max) {
+    if (norm == 0.0 || force_min == force_max) {
       lambda = is_finite(force_min) ? force_min : 0.0;
     } else if (is_finite(force_min) && is_finite(force_max)) {
       const double margin = std::min(least, 0.25 * (force_max - force_min));
@@ -95,9 +100,9 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
       lambda = std::min(lambda, force_max - least);
     }
     lambda_[i] = lambda;
-    const bool free = lambda > force_min && lambda < force_max && square > 0.0;
-    p_[i] = free && is_finite(force_min) ? std::max(size, warm ? p_[i] : 0.0) : 0.0;
-    q_[i] = free && is_finite(force_max) ? std::max(size, warm ? q_[i] : 0.0) : 0.0;
+    const bool free = lambda > force_min && lambda < force_max && norm > 0.0;
+    p_[i] = free && is_finite(force_min) ? std::max(size * norm, warm ? p_[i] : 0.0) : 0.0;
+    q_[i] = free && is_finite(force_max) ? std::max(size * norm, warm ? q_[i] : 0.0) : 0.0;
     count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
   }
   problem.apply_transposed(lambda_.data(), y_.data());
@@ -132,12 +137,14 @@ void InteriorPointMethod::set_weights(const LeastDistance& problem) {
       weight_[i] = 0.0;
       continue;
     }
-    double inverse = (p_[i] > 0.0 || q_[i] > 0.0 ? proximal : proximal_equality) * square;
+    double inverse = (p_[i] > 0.0 || q_[i] > 0.0 ? proximal_ : proximal_equality) * square;
     if (p_[i] > 0.0) inverse += p_[i] / (lambda_[i] - problem.force_min()[i]);
     if (q_[i] > 0.0) inverse += q_[i] / (problem.force_max()[i] - lambda_[i]);
     weight_[i] = 1.0 / inverse;
     r_[i] = problem.h()[i] - Gy_[i] + p_[i] - q_[i];
   }
+  problem.apply_transposed(lambda_.data(), unbalance_.data());
+  add(-1.0, y_, unbalance_);
 }
 
 /// One solve with the factors at hand: the affine direction, or the one corrected by its second
@@ -154,6 +161,7 @@ void InteriorPointMethod::find_direction(LeastDistance& problem, double centring
     scratch_[i] = weight_[i] * rhs;
   }
   problem.apply_transposed(scratch_.data(), d_.data());
+  add(1.0, unbalance_, d_);
   problem.solve(d_.data());
   problem.apply(d_.data(), Gd_.data());
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
@@ -194,13 +202,14 @@ void InteriorPointMethod::move(LeastDistance& problem, double step) {
     if (p_[i] > 0.0) p_[i] = std::max(p_[i] + step * d_p_[i], 1e-300);
     if (q_[i] > 0.0) q_[i] = std::max(q_[i] + step * d_q_[i], 1e-300);
   }
-  problem.apply_transposed(lambda_.data(), y_.data());
+  add(step, d_, y_);
   problem.apply(y_.data(), Gy_.data());
 }
 
 /// The iterate with multipliers that are smaller than their distances put at their bounds, in
-/// `scratch_`, its G y in `Gd_`.
-void InteriorPointMethod::round_off(const LeastDistance& problem, const ResidualScales& scales) {
+/// `scratch_`, its h - G y in `rhs_`. Returns how far y is from G' lambda, relative to the largest
+/// force.
+double InteriorPointMethod::round_off(const LeastDistance& problem, const ResidualScales& scales) {
   double force = scales.weight;
   for (std::size_t i = 0; i < lambda_.size(); ++i)
     force = std::max(force, std::abs(lambda_[i]) * scales.row_norm[i]);
@@ -212,11 +221,11 @@ void InteriorPointMethod::round_off(const LeastDistance& problem, const Residual
     if (q_[i] > 0.0 && (problem.force_max()[i] - lambda_[i]) * unit < q_[i] * force)
       lambda = problem.force_max()[i];
     scratch_[i] = lambda;
+    rhs_[i] = problem.h()[i] - Gy_[i];
   }
   problem.apply_transposed(scratch_.data(), d_.data());
-  problem.apply(d_.data(), Gd_.data());
-  for (std::size_t i = 0; i < Gd_.size(); ++i)
-    Gd_[i] = problem.h()[i] - Gd_[i];
+  add(-1.0, y_, d_);
+  return force > 0.0 ? problem.force_of(d_) / force : 0.0;
 }
 
 }  // namespace wuerfel

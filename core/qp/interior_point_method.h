@@ -26,15 +26,20 @@ namespace wuerfel {
 class InteriorPointMethod {
  public:
   /// Solves to `goal` in the measure of QpResidual, or as far as it gets. `warm` starts near the
-  /// last solution.
-  MethodOutcome run(LeastDistance& problem, const ResidualScales& scales, double goal, bool warm);
+  /// last solution. `proximal` is delta |g|^2 of rows with an end: the larger it is the better K is
+  /// conditioned, and the slower nearly dependent rows settle.
+  MethodOutcome run(LeastDistance& problem,
+                    const ResidualScales& scales,
+                    double goal,
+                    bool warm,
+                    double proximal);
   void forget() { solved_ = false; }
   /// Whether the last solution can start the next one.
   [[nodiscard]] bool can_start_warm(const LeastDistance& problem) const {
     return solved_ && problem.same_rows();
   }
 
-  [[nodiscard]] const std::vector<Quad>& y() const { return y_; }
+  [[nodiscard]] const std::vector<Quad>& y() const { return best_y_; }
   [[nodiscard]] const std::vector<double>& multiplier() const { return best_; }
 
  private:
@@ -46,13 +51,14 @@ class InteriorPointMethod {
   void find_direction(LeastDistance& problem, double centring, bool corrector);
   [[nodiscard]] double longest_step(const LeastDistance& problem) const;
   void move(LeastDistance& problem, double step);
-  void round_off(const LeastDistance& problem, const ResidualScales& scales);
+  double round_off(const LeastDistance& problem, const ResidualScales& scales);
 
   bool solved_ = false;
+  double proximal_ = 0.0;
   int count_ = 0;  ///< of finite ends
   std::vector<double> lambda_, p_, q_, d_lambda_, d_p_, d_q_, weight_, r_, rhs_, Gy_, Gd_, best_,
       scratch_;
-  std::vector<Quad> y_, d_;
+  std::vector<Quad> y_, d_, unbalance_, best_y_;  ///< unbalance: G' lambda - y, rounding only
 };
 
 }  // namespace wuerfel

@@ -194,6 +194,16 @@ void LeastDistance::scale_row(const QuadraticProgram& program, int row) {
   square_[at(row)] = square;
 }
 
+double LeastDistance::force_of(const std::vector<Quad>& unbalance) const {
+  double force = 0.0;
+  for (std::size_t b = 0; b < unbalance.size(); ++b) {
+    const double* u = unbalance[b].v;
+    force =
+        std::max(force, std::max({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])}) / root_[b].v[0]);
+  }
+  return force;
+}
+
 void LeastDistance::read(const QuadraticProgram& program,
                          const std::vector<Quad>& y,
                          std::vector<double>& x) const {

@@ -49,6 +49,8 @@ class LeastDistance {
   void factorise(const double* d) { cholesky_.factorise(view_, d); }
   void solve(Quad* v) const { cholesky_.solve(v); }
 
+  /// The largest force M^(1/2) u of an unbalance u = y - G' lambda, as QpResidual measures it.
+  [[nodiscard]] double force_of(const std::vector<Quad>& unbalance) const;
   /// x = f + M^(-1/2) y, in the numbering of the program.
   void read(const QuadraticProgram& program,
             const std::vector<Quad>& y,

@@ -7,7 +7,7 @@ namespace wuerfel {
 namespace {
 
 constexpr double first_rho = 1e5;    ///< in units of 1 / |g|^2
-constexpr double last_rho = 1e6;     ///< beyond it the dead zone would be too wide
+constexpr double last_rho = 1e9;     ///< beyond it the dead zone would be too wide
 constexpr double dead_zone = 1e-14;  ///< times rho max|h|
 constexpr int most_outer_steps = 60;
 
@@ -48,7 +48,7 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
     force_ = lambda_;
     update_multipliers(problem);
     const double worst = worst_row(problem, scales, rest_, lambda_);
-    lost = worst > 0.5 * outcome.worst ? lost + 1 : 0;
+    lost = worst > 0.5 * outcome.worst && rho_ >= largest_rho_ ? lost + 1 : 0;
     const bool slow = worst > 0.1 * outcome.worst;
     outcome.worst = worst;
     outcome.factorisations = factorisations_;
