@@ -16,10 +16,10 @@ namespace {
 
 /// The rule that `value` breaks, as the end of "must ...".
 std::string rule(double value, const Limits& limits) {
-  if (limits.min == limits.max) return fmt::format("be {}", limits.min);
+  if (limits.min == limits.max) return fmt::format("be {:g}", limits.min);
   if (value < 0.0 && limits.min == 0.0) return "not be negative";
   if (value <= 0.0 && limits.min > 0.0) return "be greater than 0";
-  return fmt::format("be between {} and {}", limits.min, limits.max);
+  return fmt::format("be between {:g} and {:g}", limits.min, limits.max);
 }
 
 void check_limits(const Spot& spot, const Limits& limits, double value) {

@@ -36,11 +36,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return current.back();
 }
 
-/// Words of which one begins the other (pos, position) are near as well.
+/// Words of which one begins the other (pos, position) are as near as two slips.
 std::size_t strangeness(std::string_view wrong, std::string_view word) {
+  const std::size_t distance = edit_distance(wrong, word);
   const bool begins = std::min(wrong.size(), word.size()) >= 3
                       && (word.starts_with(wrong) || wrong.starts_with(word));
-  return begins ? 1 : edit_distance(wrong, word);
+  return begins ? std::min<std::size_t>(distance, 2) : distance;
 }
 
 }  // namespace

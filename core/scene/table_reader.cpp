@@ -15,7 +15,9 @@ TableReader::TableReader(const SceneSource& source, const Value& value, std::str
       table_(std::get_if<Value::Table>(&value.data)),
       path_(std::move(path)) {
   if (table_ == nullptr) {
-    source.fail(value.place, path_, fmt::format("must be a table, not {}", describe_value(value)));
+    source.fail(value.place, path_,
+                fmt::format("{} be a table, not {}", path_.empty() ? "a scene must" : "must",
+                            describe_value(value)));
   }
 }
 
@@ -57,7 +59,8 @@ void TableReader::judge(const Alternatives& rule) const {
     if (const Member* member = find_member(*table_, key)) present.push_back(member);
   }
   if (rule.one_needed && present.empty()) {
-    fail(value_.place, "", fmt::format("needs {}", fmt::join(rule.keys, " or ")));
+    fail(value_.place, "",
+         fmt::format("{}needs {}", path_.empty() ? "a scene " : "", fmt::join(rule.keys, " or ")));
   }
   if (rule.one_allowed && present.size() > 1) {
     std::stable_sort(present.begin(), present.end(), [](const Member* a, const Member* b) {

@@ -27,6 +27,21 @@ struct Describer {
   std::string operator()(const ForeignValue& value) const { return std::string(value.kind); }
 };
 
+/// What is quoted from the text may hold line breaks or terminal commands; a message is one
+/// harmless line.
+std::string without_control_characters(const std::string& message) {
+  std::string clean;
+  for (const char c : message) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20U || code == 0x7fU) {
+      clean += fmt::format("\\x{:02x}", code);
+    } else {
+      clean += c;
+    }
+  }
+  return clean;
+}
+
 }  // namespace
 
 bool written_before(const Place& a, const Place& b) {
@@ -50,7 +65,8 @@ void SceneSource::fail(const Place& place,
   } else if (place.line > 0) {
     where += fmt::format(":{}:{}", place.line, place.column);
   }
-  throw SceneError(where + ": " + (path.empty() ? "" : path + ": ") + message);
+  const std::string text = where + ": " + (path.empty() ? "" : path + ": ") + message;
+  throw SceneError(without_control_characters(text));
 }
 
 }  // namespace wuerfel

@@ -54,7 +54,8 @@ struct SceneSource {
   std::vector<std::string> overrides;
 
   /// Throws SceneError "NAME:LINE:COLUMN: PATH: MESSAGE", without what is not known; "--set
-  /// OVERRIDE: ..." where the place is in an override.
+  /// OVERRIDE: ..." where the place is in an override. One line: control characters that are quoted
+  /// come as \x0a.
   [[noreturn]] void fail(const Place& place,
                          const std::string& path,
                          const std::string& message) const;
