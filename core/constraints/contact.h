@@ -16,6 +16,10 @@ inline constexpr double touch_tolerance = 1e-9;
 /// The share of max(sqrt(g side), |v|) up to which the gap's velocity counts as zero.
 inline constexpr double rate_tolerance = 1e-9;
 
+/// What of a contact stays the same from step to step: bodies of corner and side, and their
+/// numbers.
+using ContactId = std::tuple<int, int, int, int>;
+
 /// Corner p_k of body `on` at the side (p_i, p_j) of body `from`. Points are given by their arms
 /// from the centres, or, on planes and fixed boxes, from the same places with zero velocity.
 struct Contact {
@@ -33,7 +37,7 @@ struct Contact {
   Vec2 arm_j = Vec2::Zero();   ///< m, p_j from the centre of `from`
 
   /// What stays the same from step to step.
-  [[nodiscard]] std::tuple<int, int, int, int> id() const { return {on, from, corner, side}; }
+  [[nodiscard]] ContactId id() const { return {on, from, corner, side}; }
 };
 
 /// Velocities of the three points of a contact.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "core/dynamics/gauss.h"
@@ -16,8 +15,7 @@ struct Moment {
   std::vector<IslandSolution> solutions;  ///< accelerations, one per island; empty until asked for
   std::vector<Twist> accelerations;       ///< one per cube, filled with `solutions`
   std::vector<char> resting;              ///< per cube: certified, v = 0 and a = 0
-  std::set<std::pair<int, int>>
-      lasting;  ///< pairs that were in contact a step ago: no new impact of theirs
+  std::set<ContactId> lasting;            ///< contacts of a step ago: no new impacts of theirs
 };
 
 }  // namespace wuerfel

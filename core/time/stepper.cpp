@@ -19,8 +19,6 @@ constexpr double pressed_share = 1e-9;
 constexpr double corrected_gap = 1e-11;
 constexpr int most_corrections = 12;
 
-std::pair<int, int> pair_of(const Contact& c) { return std::minmax(c.on, c.from); }
-
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
   ++book.cost.qp_solves;
   book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
@@ -126,7 +124,7 @@ void Stepper::arrive(Moment& moment, Bookkeeping& book) {
   }
   moment.lasting.clear();
   for (const Contact& c : contacts)
-    moment.lasting.insert(pair_of(c));
+    moment.lasting.insert(c.id());
 }
 
 void Stepper::strike(Moment& moment, const Island& island, Bookkeeping& book) {
@@ -138,7 +136,8 @@ void Stepper::strike(Moment& moment, const Island& island, Bookkeeping& book) {
   const double largest = std::ranges::max(after.forces);
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
-    if (after.forces[k] <= pressed_share * largest || moment.lasting.contains(pair_of(c))) continue;
+    // A contact that lasts is struck in each step by the step's error; that is no event.
+    if (after.forces[k] <= pressed_share * largest || moment.lasting.contains(c.id())) continue;
     book.events.push_back({moment.t, EventKind::impact, system_->body(c.on).name,
                            system_->body(c.from).name, c.point, after.forces[k]});
   }
@@ -251,8 +250,9 @@ bool Stepper::correct_island(const Island& island,
   }
   if (!off) return false;
   IslandSolution solution = dynamics_.correction(state, island, use);
-  if (solution.status == QpStatus::infeasible) {
-    // Closed sides can contradict one another by the step's error: then only overlap is removed.
+  if (solution.status != QpStatus::optimal) {
+    // Closed sides contradict one another by the step's error: then only overlap is removed.
+    std::erase_if(closed, [&](const Contact& c) { return contains(island.contacts, c); });
     std::ranges::fill(use, SideUse::inequality);
     solution = dynamics_.correction(state, island, use);
   }
