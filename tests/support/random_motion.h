@@ -33,7 +33,8 @@ class RandomNumbers {
 struct CubicMotion {
   std::array<Vec2, 4> c;
   explicit CubicMotion(RandomNumbers& random) {
-    for (Vec2& term : c) term = random.next_vec2();
+    for (Vec2& term : c)
+      term = random.next_vec2();
   }
   [[nodiscard]] Vec2 at(double t) const { return c[0] + t * (c[1] + t * (c[2] + t * c[3])); }
   [[nodiscard]] Vec2 v() const { return c[1]; }

@@ -8,12 +8,15 @@
 namespace wuerfel::test {
 namespace {
 
-Vec2 vec2(const nlohmann::json& pair) { return {pair.at(0).get<double>(), pair.at(1).get<double>()}; }
+Vec2 vec2(const nlohmann::json& pair) {
+  return {pair.at(0).get<double>(), pair.at(1).get<double>()};
+}
 
 SceneCube read_cube(const nlohmann::json& body) {
   SceneCube cube;
   cube.name = body.at("id");
-  cube.size = {body.at("shape").at("width").get<double>(), body.at("shape").at("height").get<double>()};
+  cube.size = {body.at("shape").at("width").get<double>(),
+               body.at("shape").at("height").get<double>()};
   cube.mass = body.at("mass");
   const auto& state = body.at("state");
   cube.position = {state.at("x").get<double>(), state.at("y").get<double>()};
@@ -55,7 +58,8 @@ int ReferenceCase::cube(const std::string& id) const {
 
 double ReferenceCase::weight() const {
   double mass = 0.0;
-  for (const SceneCube& cube : scene.cubes) mass += cube.mass;
+  for (const SceneCube& cube : scene.cubes)
+    mass += cube.mass;
   return mass * scene.gravity.norm();
 }
 
@@ -72,18 +76,20 @@ ReferenceCase read_reference_case(const std::string& stem) {
 }
 
 std::string test_name(std::string stem) {
-  std::ranges::replace_if(stem, [](char c) { return c == '.' || c == '-'; }, '_');
+  std::ranges::replace_if(
+      stem, [](char c) { return c == '.' || c == '-'; }, '_');
   return stem;
 }
 
 std::vector<std::string> reference_case_names(const std::string& kind,
                                               const std::vector<std::string>& prefixes) {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(TEST_DATA) + "/reference")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(TEST_DATA) + "/reference")) {
     const std::string stem = entry.path().stem();
-    const bool wanted = prefixes.empty() || std::ranges::any_of(prefixes, [&](const std::string& p) {
-      return stem.starts_with(p);
-    });
+    const bool wanted =
+        prefixes.empty()
+        || std::ranges::any_of(prefixes, [&](const std::string& p) { return stem.starts_with(p); });
     if (entry.path().extension() != ".json" || !wanted) continue;
     const ReferenceCase found = read_reference_case(stem);
     if (found.kind == kind && !found.data.contains("extension")) names.push_back(stem);

@@ -22,11 +22,12 @@ struct ReferenceCase {
   [[nodiscard]] double weight() const;
 };
 
-/// `stem` is the name of the file without folder and ending. Throws std::runtime_error if it cannot be read.
+/// `stem` is the name of the file without folder and ending. Throws std::runtime_error if it cannot
+/// be read.
 ReferenceCase read_reference_case(const std::string& stem);
 
-/// Names of all cases of a kind whose name starts with one of the prefixes (none: all), in order. Cases that need
-/// friction or restitution are left out.
+/// Names of all cases of a kind whose name starts with one of the prefixes (none: all), in order.
+/// Cases that need friction or restitution are left out.
 std::vector<std::string> reference_case_names(const std::string& kind,
                                               const std::vector<std::string>& prefixes = {});
 

@@ -1,4 +1,5 @@
-// Moreau's impact law against exact answers: velocities after all contacts hit at once, impulses and energy lost.
+// Moreau's impact law against exact answers: velocities after all contacts hit at once, impulses
+// and energy lost.
 #include <gtest/gtest.h>
 
 #include "core/time/simulation.h"

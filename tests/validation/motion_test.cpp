@@ -49,8 +49,9 @@ TEST_P(FreeFall, IsTheIntegratorsOwnSum) {
   const BodyState& s = simulation.states()[0];
   EXPECT_NEAR((s.position - p).norm(), 0.0, 1e-12);
   EXPECT_NEAR((s.velocity - v).norm(), 0.0, 1e-12);
-  // Points that step along their tangents gain the share (omega dt)^2 of their angular momentum in each step: an
-  // excess of omega^3 dt t^2 / 2 in the angle, 2.4e-4 here, which is the algorithm's and not ours.
+  // Points that step along their tangents gain the share (omega dt)^2 of their angular momentum in
+  // each step: an excess of omega^3 dt t^2 / 2 in the angle, 2.4e-4 here, which is the algorithm's
+  // and not ours.
   const double turn = settings.formulation == Formulation::points ? 5e-4 : 1e-13;
   EXPECT_NEAR(s.angle, 0.3 + 0.5, turn);
   EXPECT_LE(simulation.audit().max_rod_error, 1e-12);
@@ -71,7 +72,8 @@ TEST(Motion, LookingBetweenStepsDoesNotChangeIt) {
   const Scene scene = with_floor(one_cube({0.0, 1.5}, 0.3, {0.2, 0.0}, 0.4));
   Simulation quiet(scene, {});
   Simulation watched(scene, {});
-  for (int k = 1; k <= 70; ++k) watched.advance_to(0.01 * k);
+  for (int k = 1; k <= 70; ++k)
+    watched.advance_to(0.01 * k);
   quiet.advance_to(0.7);
   EXPECT_EQ(quiet.states()[0].position, watched.states()[0].position);
   EXPECT_EQ(quiet.states()[0].angle, watched.states()[0].angle);
@@ -107,10 +109,11 @@ TEST(Motion, AStandingTowerDoesNotMoveAtAll) {
   EXPECT_LE(simulation.cost().qp_solves, 2) << "certified rest is not solved again";
 }
 
-/// Angle of a square that tips about its corner on the frictionless floor, at t = 0.292543 s: exact answer of the
-/// reference case tip_corner_square.
+/// Angle of a square that tips about its corner on the frictionless floor, at t = 0.292543 s: exact
+/// answer of the reference case tip_corner_square.
 double tipping_error(double step, Integrator integrator) {
-  Scene scene = with_floor(one_cube({0.0, 0.7035741925769523333}, 0.6853981633974483096157, {0, 0}, 0));
+  Scene scene =
+      with_floor(one_cube({0.0, 0.7035741925769523333}, 0.6853981633974483096157, {0, 0}, 0));
   MotionSettings settings;
   settings.integrator = integrator;
   settings.step = step;

@@ -23,8 +23,10 @@ double force_at(const Check& check, const nlohmann::json& expected) {
   double sum = 0.0;
   for (const ContactForce& c : check.contacts) {
     if ((c.point - point).norm() > 1e-6) continue;
-    const bool same = c.on == expected["on"] && c.from == expected["from"] && c.normal.dot(normal) > 0.999;
-    const bool mirrored = c.on == expected["from"] && c.from == expected["on"] && c.normal.dot(normal) < -0.999;
+    const bool same =
+        c.on == expected["on"] && c.from == expected["from"] && c.normal.dot(normal) > 0.999;
+    const bool mirrored =
+        c.on == expected["from"] && c.from == expected["on"] && c.normal.dot(normal) < -0.999;
     if (same || mirrored) sum += c.force;
   }
   return sum;

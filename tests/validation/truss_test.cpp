@@ -1,4 +1,5 @@
-// Kind `rods`: frameworks of points and rods, built straight from Eq. (1) and solved by Gauss' program.
+// Kind `rods`: frameworks of points and rods, built straight from Eq. (1) and solved by Gauss'
+// program.
 #include <gtest/gtest.h>
 
 #include "core/constraints/rod.h"
@@ -74,7 +75,8 @@ TEST_P(Truss, AccelerationsAndForcesAreExact) {
       }
     } else if (expected["type"] == "support_forces") {
       for (std::size_t k = 0; k < value.size(); ++k) {
-        EXPECT_NEAR(forces.multiplier[rods + k], value[k].get<double>(), force_tolerance) << "support " << k;
+        EXPECT_NEAR(forces.multiplier[rods + k], value[k].get<double>(), force_tolerance)
+            << "support " << k;
       }
     }
   }

@@ -20,7 +20,8 @@ TEST(Rod, VelocityRowIsHalfTheRateOfTheSquaredLength) {
     const CubicMotion j(random);
     const RodRow row = rod_velocity_row(i.at(0), j.at(0));
     const auto error = [&](double t) { return rod_error(i.at(t), j.at(t), 1.0); };
-    EXPECT_NEAR(2.0 * (row.g.dot(i.v() - j.v()) + row.c), first_difference(error, 1e-3), first_tolerance);
+    EXPECT_NEAR(2.0 * (row.g.dot(i.v() - j.v()) + row.c), first_difference(error, 1e-3),
+                first_tolerance);
   }
 }
 
@@ -31,7 +32,8 @@ TEST(Rod, AccelerationRowMatchesSecondDifference) {
     const CubicMotion j(random);
     const RodRow row = rod_acceleration_row(i.at(0), j.at(0), i.v(), j.v());
     const auto error = [&](double t) { return rod_error(i.at(t), j.at(t), 1.0); };
-    EXPECT_NEAR(2.0 * (row.g.dot(i.a() - j.a()) + row.c), second_difference(error, 2e-3), second_tolerance);
+    EXPECT_NEAR(2.0 * (row.g.dot(i.a() - j.a()) + row.c), second_difference(error, 2e-3),
+                second_tolerance);
   }
 }
 

@@ -1,4 +1,5 @@
-// Eq. (2)-(8) against finite differences along random motions, at every place of the corner on the side.
+// Eq. (2)-(8) against finite differences along random motions, at every place of the corner on the
+// side.
 #include "core/constraints/side.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +13,13 @@ namespace {
 constexpr int trials = 200;
 constexpr double first_step = 1e-3;
 constexpr double second_step = 2e-3;
-// Observed: 2e-12 for the first and 2e-9 for the second differences; a wrong sign or factor shows from 1e-2 on.
+// Observed: 2e-12 for the first and 2e-9 for the second differences; a wrong sign or factor shows
+// from 1e-2 on.
 constexpr double first_tolerance = 1e-10;
 constexpr double second_tolerance = 1e-7;
 
-/// Three points that move at random; p_k starts on the side at `alpha` and, if asked for, with A' = 0.
+/// Three points that move at random; p_k starts on the side at `alpha` and, if asked for, with A' =
+/// 0.
 struct Triple {
   CubicMotion i;
   CubicMotion j;
@@ -53,8 +56,10 @@ TEST_P(SideAt, VelocityRowIsTheRateOfTheArea) {
     const Triple m(random, GetParam(), false);
     const SideRow row = side_velocity_row(m.i.at(0), m.j.at(0), GetParam());
     const double rate = value(row, m.i.v(), m.j.v(), m.k.v());
-    EXPECT_NEAR(rate, first_difference([&](double t) { return m.area(t); }, first_step), first_tolerance);
-    EXPECT_NEAR(rate, side_area_rate(m.i.at(0), m.j.at(0), m.k.at(0), m.i.v(), m.j.v(), m.k.v()), 1e-13);
+    EXPECT_NEAR(rate, first_difference([&](double t) { return m.area(t); }, first_step),
+                first_tolerance);
+    EXPECT_NEAR(rate, side_area_rate(m.i.at(0), m.j.at(0), m.k.at(0), m.i.v(), m.j.v(), m.k.v()),
+                1e-13);
   }
 }
 
@@ -65,7 +70,8 @@ TEST_P(SideAt, AccelerationRowMatchesSecondDifference) {
     const SideRow row =
         side_acceleration_row(m.i.at(0), m.j.at(0), GetParam(), m.i.v(), m.j.v(), m.k.v());
     EXPECT_NEAR(value(row, m.i.a(), m.j.a(), m.k.a()),
-                second_difference([&](double t) { return m.area(t); }, second_step), second_tolerance);
+                second_difference([&](double t) { return m.area(t); }, second_step),
+                second_tolerance);
   }
 }
 
@@ -75,7 +81,9 @@ TEST_P(SideAt, AccelerationRowOfDeterminantsIsThatOfThePaper) {
     const Triple m(random, GetParam(), true);
     const SideRow row =
         side_acceleration_row(m.i.at(0), m.j.at(0), GetParam(), m.i.v(), m.j.v(), m.k.v());
-    EXPECT_NEAR(row.c, 2.0 * (det(m.i.v(), m.j.v()) + det(m.j.v(), m.k.v()) + det(m.k.v(), m.i.v())), 1e-13);
+    EXPECT_NEAR(row.c,
+                2.0 * (det(m.i.v(), m.j.v()) + det(m.j.v(), m.k.v()) + det(m.k.v(), m.i.v())),
+                1e-13);
   }
 }
 
@@ -92,7 +100,8 @@ TEST_P(SideAt, PulledBackRowMatchesSecondDifferenceOfRigidMotions) {
     const CubicMotion turn_a(random);
     const CubicMotion turn_b(random);
     b.c[0] = a.c[0] + alpha * arm_j + (1.0 - alpha) * arm_i - arm_k;
-    const auto carried = [](const CubicMotion& x, const CubicMotion& turn, const Vec2& arm, double t) {
+    const auto carried = [](const CubicMotion& x, const CubicMotion& turn, const Vec2& arm,
+                            double t) {
       const double phi = turn.at(t).x() - turn.at(0.0).x();
       return Vec2(x.at(t) + std::cos(phi) * arm + std::sin(phi) * perp(arm));
     };
@@ -113,10 +122,11 @@ TEST_P(SideAt, PulledBackRowMatchesSecondDifferenceOfRigidMotions) {
     pull_back(row.g_i, arm_i, spin_a, from);
     pull_back(row.g_j, arm_j, spin_a, from);
     const double rigid = on.g[0] * b.a().x() + on.g[1] * b.a().y() + on.g[2] * turn_b.a().x()
-                         + from.g[0] * a.a().x() + from.g[1] * a.a().y() + from.g[2] * turn_a.a().x()
-                         + on.centripetal + from.centripetal + row.c;
+                         + from.g[0] * a.a().x() + from.g[1] * a.a().y()
+                         + from.g[2] * turn_a.a().x() + on.centripetal + from.centripetal + row.c;
     const auto area = [&](double t) {
-      return side_area(carried(a, turn_a, arm_i, t), carried(a, turn_a, arm_j, t), carried(b, turn_b, arm_k, t));
+      return side_area(carried(a, turn_a, arm_i, t), carried(a, turn_a, arm_j, t),
+                       carried(b, turn_b, arm_k, t));
     };
     EXPECT_NEAR(rigid, second_difference(area, second_step), second_tolerance);
   }

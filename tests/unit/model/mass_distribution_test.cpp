@@ -15,8 +15,8 @@ void expect_points(const Points& points, const nlohmann::json& expected) {
   ASSERT_EQ(points.size(), expected.size());
   for (const auto& row : expected) {
     const Vec2 arm(row[0].template get<double>(), row[1].template get<double>());
-    const auto found =
-        std::ranges::find_if(points, [&](const PointMass& p) { return (p.arm - arm).norm() < 1e-15; });
+    const auto found = std::ranges::find_if(
+        points, [&](const PointMass& p) { return (p.arm - arm).norm() < 1e-15; });
     ASSERT_NE(found, points.end());
     EXPECT_NEAR(found->mass, row[2].template get<double>(), 1e-15 * 12.0);
   }
