@@ -8,6 +8,10 @@
 
 #include "render/error.h"
 
+// Read by LeakSanitizer at the end of a program that was built with it: Mesa keeps a few hundred
+// bytes of its own. NOLINTNEXTLINE(bugprone-reserved-identifier)
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
+
 namespace wuerfel {
 
 /// The functions of libOSMesa. It is loaded when the first picture is drawn, because loading it
