@@ -67,7 +67,7 @@ TEST(Contact, FaceOnFaceTouchesAtTheEndsOfTheOverlap) {
   EXPECT_EQ(found.contacts[1].point, Vec2(0.5, 1.0));
   EXPECT_EQ(found.contacts[1].on, 0);
   EXPECT_NEAR(found.contacts[0].alpha, 0.3, 1e-15);
-  EXPECT_NEAR(found.contacts[1].alpha, 0.2, 1e-15);
+  EXPECT_NEAR(found.contacts[1].alpha, 0.3, 1e-15);
 }
 
 TEST(Contact, AlphaAndArmsSatisfyEquation5ForTurnedCubes) {
