@@ -1,7 +1,7 @@
 #include "render/apng_writer.h"
 
-#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace wuerfel {
 namespace {
 
 /// Where the chunk with the number of frames begins: after the signature and the header.
-constexpr std::uint64_t animation_control_at = 8 + 12 + 13;
+constexpr std::size_t animation_control_at = 8 + 12 + 13;
 
 std::vector<std::uint8_t> animation_control(std::uint32_t frames) {
   std::vector<std::uint8_t> data;
@@ -33,9 +33,9 @@ ApngWriter::ApngWriter(const std::string& path, const AnimationSettings& setting
   }
 }
 
-void ApngWriter::begin(std::span<const std::uint8_t> header) {
-  buffer_.assign(png_signature.begin(), png_signature.end());
-  append_chunk("IHDR", header, buffer_);
+void ApngWriter::begin(const CompressedImage& first) {
+  const std::vector<std::uint8_t> still = assemble_png(first, {});
+  buffer_.assign(still.begin(), still.begin() + static_cast<std::ptrdiff_t>(animation_control_at));
   const std::vector<std::uint8_t> control = animation_control(0);
   buffer_.insert(buffer_.end(), control.begin(), control.end());
 }
@@ -64,21 +64,17 @@ void ApngWriter::add(const Image& frame) {
     throw RenderError(fmt::format("a frame of {}x{} pixels in a film of {}x{}", frame.width(),
                                   frame.height(), settings_.width, settings_.height));
   }
-  const std::vector<std::uint8_t> file =
-      encode_png(frame, {}, settings_.transparent ? PngChannels::rgba : PngChannels::rgb);
-  const std::vector<PngChunk> chunks = png_chunks(file);
+  const PngChannels channels = settings_.transparent ? PngChannels::rgba : PngChannels::rgb;
+  const CompressedImage compressed = compress_image(frame, PngEncoder::run_length, channels);
   buffer_.clear();
-  if (frames_ == 0) begin(chunks.front().data);
+  if (frames_ == 0) begin(compressed);
   add_control();
-  for (const PngChunk& chunk : chunks) {
-    if (chunk.type != "IDAT") continue;
-    if (frames_ == 0) {
-      append_chunk("IDAT", chunk.data, buffer_);
-      continue;
-    }
+  if (frames_ == 0) {
+    append_chunk("IDAT", compressed.stream, buffer_);
+  } else {
     std::vector<std::uint8_t> data;
     append_u32(sequence_++, data);
-    data.insert(data.end(), chunk.data.begin(), chunk.data.end());
+    data.insert(data.end(), compressed.stream.begin(), compressed.stream.end());
     append_chunk("fdAT", data, buffer_);
   }
   output_.write(buffer_);

@@ -8,6 +8,7 @@
 
 #include "render/animation.h"
 #include "render/output_file.h"
+#include "render/png.h"
 
 namespace wuerfel {
 
@@ -18,7 +19,7 @@ class ApngWriter final : public AnimationWriter {
   void finish() override;
 
  private:
-  void begin(std::span<const std::uint8_t> header);
+  void begin(const CompressedImage& first);
   void add_control();
   AnimationSettings settings_;
   OutputFile output_;

@@ -1,15 +1,17 @@
 #include "render/png.h"
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <iterator>
-#include <memory>
+#include <string_view>
+#include <zlib.h>
 
 #include <png.h>
 
+#include "render/deflate.h"
 #include "render/error.h"
 #include "render/output_file.h"
+#include "render/png_chunks.h"
 
 namespace wuerfel {
 namespace {
@@ -79,28 +81,38 @@ void take_bytes(png_structp png, png_bytep target, std::size_t count) {
   *source = source->subspan(count);
 }
 
-int compression_of(const PngText& text) {
-  const bool ascii =
-      std::ranges::all_of(text.value, [](char c) { return static_cast<signed char>(c) >= 0; });
-  const bool compress = text.value.size() > compress_longer_than;
-  if (ascii) return compress ? PNG_TEXT_COMPRESSION_zTXt : PNG_TEXT_COMPRESSION_NONE;
-  return compress ? PNG_ITXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_NONE;
+void append_string(std::string_view text, std::vector<std::uint8_t>& data) {
+  data.insert(data.end(), text.begin(), text.end());
 }
 
-void set_texts(const Writer& writer, std::span<const PngText> texts, std::vector<PngText>& kept) {
-  kept.assign(texts.begin(), texts.end());
-  std::vector<png_text> chunks(texts.size());
-  std::string no_language;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    chunks[i].compression = compression_of(kept[i]);
-    chunks[i].key = kept[i].key.data();
-    chunks[i].text = kept[i].value.data();
-    chunks[i].text_length = kept[i].value.size();
-    chunks[i].lang = no_language.data();
-    chunks[i].lang_key = no_language.data();
+void append_compressed(std::string_view text, std::vector<std::uint8_t>& data) {
+  const std::size_t start = data.size();
+  uLongf size = compressBound(text.size());
+  data.resize(start + size);
+  compress(data.data() + start, &size, reinterpret_cast<const Bytef*>(text.data()), text.size());
+  data.resize(start + size);
+}
+
+/// tEXt, zTXt or iTXt (PNG specification, section 11.3.4).
+void append_text(const PngText& text, std::vector<std::uint8_t>& file) {
+  const bool ascii =
+      std::ranges::all_of(text.value, [](char c) { return static_cast<signed char>(c) >= 0; });
+  const bool compress_it = text.value.size() > compress_longer_than;
+  std::vector<std::uint8_t> data;
+  append_string(text.key, data);
+  data.push_back(0);
+  if (!ascii) {
+    data.push_back(compress_it ? 1 : 0);
+    data.insert(data.end(), 3, 0);  // deflate, no language, no translated key
+  } else if (compress_it) {
+    data.push_back(0);
   }
-  if (!chunks.empty())
-    png_set_text(writer.png(), writer.info(), chunks.data(), static_cast<int>(chunks.size()));
+  if (compress_it) {
+    append_compressed(text.value, data);
+  } else {
+    append_string(text.value, data);
+  }
+  append_chunk(!ascii ? "iTXt" : compress_it ? "zTXt" : "tEXt", data, file);
 }
 
 std::vector<PngText> texts_of(const Reader& reader) {
@@ -115,33 +127,59 @@ std::vector<PngText> texts_of(const Reader& reader) {
   return texts;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> encode_png(const Image& image,
-                                     std::span<const PngText> texts,
-                                     PngChannels channels) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height())
-                / 4);
+std::vector<std::uint8_t> stream_by_libpng(const Image& image, bool alpha) {
+  std::vector<std::uint8_t> file;
   const Writer writer;
-  png_set_write_fn(writer.png(), &bytes, append_bytes, nullptr);
+  png_set_write_fn(writer.png(), &file, append_bytes, nullptr);
   png_set_compression_level(writer.png(), zlib_level);
   png_set_filter(writer.png(), PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-  png_set_compression_buffer_size(writer.png(), std::size_t{1} << 16U);
-  const bool alpha =
-      channels == PngChannels::rgba || (channels == PngChannels::automatic && !image.opaque());
   png_set_IHDR(writer.png(), writer.info(), static_cast<png_uint_32>(image.width()),
                static_cast<png_uint_32>(image.height()), 8,
                alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  std::vector<PngText> kept;
-  set_texts(writer, texts, kept);
   png_write_info(writer.png(), writer.info());
   if (!alpha) png_set_filler(writer.png(), 0, PNG_FILLER_AFTER);
   for (int y = 0; y < image.height(); ++y)
     png_write_row(writer.png(), image.row(y));
   png_write_end(writer.png(), writer.info());
-  return bytes;
+  std::vector<std::uint8_t> stream;
+  for (const PngChunk& chunk : png_chunks(file)) {
+    if (chunk.type == "IDAT") stream.insert(stream.end(), chunk.data.begin(), chunk.data.end());
+  }
+  return stream;
+}
+
+}  // namespace
+
+CompressedImage compress_image(const Image& image, PngEncoder encoder, PngChannels channels) {
+  CompressedImage compressed{image.width(), image.height(), channels == PngChannels::rgba, {}};
+  if (channels == PngChannels::automatic) compressed.alpha = !image.opaque();
+  compressed.stream = encoder == PngEncoder::libpng
+                          ? stream_by_libpng(image, compressed.alpha)
+                          : deflate_image(image, compressed.alpha ? 4 : 3);
+  return compressed;
+}
+
+std::vector<std::uint8_t> assemble_png(const CompressedImage& image,
+                                       std::span<const PngText> texts) {
+  std::vector<std::uint8_t> file(png_signature.begin(), png_signature.end());
+  std::vector<std::uint8_t> header;
+  append_u32(static_cast<std::uint32_t>(image.width), header);
+  append_u32(static_cast<std::uint32_t>(image.height), header);
+  constexpr std::uint8_t depth = 8;
+  header.insert(header.end(), {depth, static_cast<std::uint8_t>(image.alpha ? 6 : 2), 0, 0, 0});
+  append_chunk("IHDR", header, file);
+  for (const PngText& text : texts)
+    append_text(text, file);
+  append_chunk("IDAT", image.stream, file);
+  append_chunk("IEND", {}, file);
+  return file;
+}
+
+std::vector<std::uint8_t> encode_png(const Image& image,
+                                     std::span<const PngText> texts,
+                                     PngEncoder encoder) {
+  return assemble_png(compress_image(image, encoder), texts);
 }
 
 PngFile decode_png(std::span<const std::uint8_t> bytes) {
@@ -184,9 +222,12 @@ PngFile read_png(const std::string& path) {
   }
 }
 
-void write_png(const std::string& path, const Image& image, std::span<const PngText> texts) {
+void write_png(const std::string& path,
+               const Image& image,
+               std::span<const PngText> texts,
+               PngEncoder encoder) {
   OutputFile file(path);
-  file.write(encode_png(image, texts));
+  file.write(encode_png(image, texts, encoder));
   file.commit();
 }
 

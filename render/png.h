@@ -28,10 +28,31 @@ enum class PngChannels {
   rgba,
 };
 
-/// The bytes of a PNG file. The same image and texts give the same bytes.
+/// Who compresses. Bytes and sizes differ, pixels don't.
+enum class PngEncoder {
+  run_length,  ///< our own (deflate.h): for films, several times faster than zlib's fastest
+  libpng,      ///< zlib level 6 without filters: for single pictures, a fifth smaller
+};
+
+/// The compressed pixels of a PNG file, to be used again with other texts.
+struct CompressedImage {
+  int width = 0;
+  int height = 0;
+  bool alpha = false;
+  std::vector<std::uint8_t> stream;  ///< zlib, as it stands in IDAT
+};
+CompressedImage compress_image(const Image& image,
+                               PngEncoder encoder = PngEncoder::run_length,
+                               PngChannels channels = PngChannels::automatic);
+
+/// The bytes of a PNG file.
+std::vector<std::uint8_t> assemble_png(const CompressedImage& image,
+                                       std::span<const PngText> texts);
+
+/// Both in one. The same image and texts give the same bytes.
 std::vector<std::uint8_t> encode_png(const Image& image,
                                      std::span<const PngText> texts = {},
-                                     PngChannels channels = PngChannels::automatic);
+                                     PngEncoder encoder = PngEncoder::run_length);
 
 /// Reads what any program wrote (palette, grey, 16 bits become RGBA8). Throws RenderError on
 /// damaged data.
@@ -41,6 +62,9 @@ PngFile decode_png(std::span<const std::uint8_t> bytes);
 PngFile read_png(const std::string& path);
 
 /// The file appears whole or not at all. Throws OutputError with the path and the system's reason.
-void write_png(const std::string& path, const Image& image, std::span<const PngText> texts = {});
+void write_png(const std::string& path,
+               const Image& image,
+               std::span<const PngText> texts = {},
+               PngEncoder encoder = PngEncoder::run_length);
 
 }  // namespace wuerfel
