@@ -86,6 +86,19 @@ void add_picture_options(CLI::App& app, PictureOptions& picture) {
                  }));
 }
 
+// Only one thing at a time may go to standard output.
+void require_one_on_stdout(const RunOptions& options) {
+  int users = options.json ? 1 : 0;
+  for (const Text* file : {&options.states, &options.forces, &options.events, &options.summary}) {
+    if (*file == "-") ++users;
+  }
+  if (users > 1) throw UsageError("only one of --json and the files can be standard output");
+}
+
+void require_png(const Text& name) {
+  if (!name.ends_with(".png")) throw UsageError(fmt::format("-o: '{}' does not end in .png", name));
+}
+
 CLI::App* add_run(CLI::App& program, RunOptions& options) {
   CLI::App* app =
       program.add_subcommand("run", "simulate a scene and write frames, films and tables");
@@ -175,6 +188,8 @@ std::optional<Command> parse_command_line(int argc,
   } catch (const RenderError& error) {
     throw UsageError(error.what());
   }
+  if (run_app->parsed()) require_one_on_stdout(run_options);
+  if (figure_app->parsed()) require_png(figure_options.output);
   if (run_app->parsed()) return [run_options] { return run(run_options); };
   if (check_app->parsed()) return [check_options] { return check(check_options); };
   if (figure_app->parsed()) return [figure_options] { return figure(figure_options); };

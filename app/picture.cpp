@@ -60,9 +60,10 @@ void Painter::fit_arrows() {
 View Painter::fit() const {
   const auto [width, height] = options_.size;
   if (options_.view != "fit") return parse_view(options_.view, width, height);
+  const ForceScale scale = options_.layers.has(Layer::forces) ? frame_.force_scale : ForceScale{};
   Bounds bounds;
   for (std::size_t k = 0; k < film_.size(); ++k) {
-    bounds.include(film_.frame(k), frame_.force_scale);
+    bounds.include(film_.frame(k), scale);
   }
   return fit_view(bounds, width, height, frame_insets(style_, frame_, width, height));
 }
@@ -92,6 +93,20 @@ std::string Painter::option_text() const {
     text += fmt::format(" --force-scale {}", frame_.force_scale.metres_per_newton);
   }
   return text;
+}
+
+AnimationSettings animation_settings(const PictureOptions& options,
+                                     double fps,
+                                     const Scene& scene) {
+  std::vector<Color> bodies;
+  for (const SceneCube& cube : scene.cubes) {
+    if (cube.color) bodies.push_back({(*cube.color)[0], (*cube.color)[1], (*cube.color)[2]});
+  }
+  return {.width = options.size.width,
+          .height = options.size.height,
+          .fps = fps,
+          .transparent = options.theme == Theme::transparent,
+          .palette = animation_palette(make_style(options.theme), bodies)};
 }
 
 std::vector<PngText> origin(double time,

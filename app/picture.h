@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/recording.h"
 #include "core/time/simulation.h"
+#include "render/animation.h"
 #include "render/frame_options.h"
 #include "render/image.h"
 #include "render/png.h"
@@ -47,6 +48,9 @@ class Painter {
   std::uint64_t drawn_revision_ = 0;
   long reused_ = 0;
 };
+
+/// How a film of these pictures is encoded.
+AnimationSettings animation_settings(const PictureOptions& options, double fps, const Scene& scene);
 
 /// What a picture carries so that it can be made again: version, options, time and scene; no date,
 /// path or host.

@@ -39,9 +39,12 @@ Progress::Style Progress::style_for_stderr(bool quiet) {
 Progress::Progress(Style style, std::string label, double total, std::string unit)
     : style_(style), label_(std::move(label)), total_(total), unit_(std::move(unit)) {}
 
-Progress::~Progress() {
+Progress::~Progress() { end(); }
+
+void Progress::end() {
   const bool is_bar = style_ == Style::bar || style_ == Style::coloured_bar;
   if (is_bar && last_drawn_ >= 0.0) std::fputs("\n", stderr);
+  style_ = Style::silent;
 }
 
 void Progress::reached(double done) {

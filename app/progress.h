@@ -23,6 +23,8 @@ class Progress {
 
   /// `done` of `total` is done.
   void reached(double done);
+  /// Leaves the bar as it is and goes to the next line; the destructor does so too.
+  void end();
 
  private:
   [[nodiscard]] std::string text(double done) const;

@@ -51,6 +51,19 @@ Json cost_json(const Cost& work, const RunCost& cost) {
 
 }  // namespace
 
+Summary::Summary(const std::string& file, bool to_stdout) : to_stdout_(to_stdout) {
+  if (!file.empty()) file_.emplace(file);
+}
+
+void Summary::write(const Json& summary) {
+  const std::string text = summary.dump(2) + "\n";
+  if (file_) {
+    file_->write(text);
+    file_->finish();
+  }
+  if (to_stdout_) write_text("-", text);
+}
+
 Json event_json(const Event& event) {
   return {{"t", event.t},
           {"kind", to_string(event.kind)},

@@ -1,11 +1,13 @@
 /// The summary of a run as JSON: the keys are part of the contract with users.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/text_output.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/time/simulation.h"
@@ -32,6 +34,19 @@ nlohmann::ordered_json run_summary(const Scene& scene,
                                    const Simulation& simulation,
                                    const std::vector<Sample>& samples,
                                    const RunCost& cost);
+
+/// Where the summary goes: into a file, to standard output, or both.
+class Summary {
+ public:
+  /// Throws OutputError at once where the file cannot be written; no file where the name is empty.
+  Summary(const std::string& file, bool to_stdout);
+  /// Throws OutputError.
+  void write(const nlohmann::ordered_json& summary);
+
+ private:
+  std::optional<TextOutput> file_;
+  bool to_stdout_;
+};
 
 /// One event as it stands in the summary and in the lines of --events.
 nlohmann::ordered_json event_json(const Event& event);

@@ -18,9 +18,6 @@ class Tables {
   /// Throws OutputError at once where one of them cannot be written.
   Tables(const std::string& states, const std::string& forces, const std::string& events);
 
-  [[nodiscard]] bool per_frame() const { return states_ || forces_; }
-  [[nodiscard]] bool wants_forces() const { return forces_.has_value(); }
-
   void add_states(double t, const Scene& scene, const State& states);
   void add_forces(const Snapshot& snapshot);
   /// Writes the events and gives all files their names.

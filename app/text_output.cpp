@@ -16,11 +16,14 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;  // bytes
 
-std::string link_target(const std::string& path) {
+// What a chain of links ends at, whether it is there or not.
+std::filesystem::path link_target(std::filesystem::path path) {
+  constexpr int longest_chain = 40;  // as the kernel has it
   std::error_code error;
-  if (!std::filesystem::is_symlink(path, error)) return path;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-  return error ? path : target.string();
+  for (int i = 0; i < longest_chain && std::filesystem::is_symlink(path, error); ++i) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
 }
 
 bool is_folder(const std::string& path) {
@@ -47,7 +50,7 @@ TextOutput::TextOutput(const std::string& path) : name_(path) {
   } else if (is_folder(path)) {
     throw OutputError(fmt::format("cannot write {}: it is a folder", path));
   } else {
-    file_.emplace(link_target(path));
+    file_.emplace(link_target(path).string());
   }
 }
 

@@ -48,6 +48,10 @@ class ProgramTest(unittest.TestCase):
         """All names in the folder, hidden ones too."""
         return sorted(os.listdir(self.path(folder)))
 
+    def content(self, name):
+        with open(self.path(name)) as file:
+            return file.read()
+
     def scene(self, scene, name="scene.json"):
         with open(self.path(name), "w") as file:
             json.dump(scene, file)

@@ -27,8 +27,10 @@ class SetUp(ProgramTest):
             os.chmod(self.path("bin/" + name), 0o755)
         done = subprocess.run([os.path.join(ROOT, "app/setup")], capture_output=True, text=True,
                               env={**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
-        diary = open(self.path("diary")).read().splitlines() if os.path.exists(self.path("diary")) else []
-        return done, diary
+        if not os.path.exists(self.path("diary")):
+            return done, []
+        with open(self.path("diary")) as diary:
+            return done, diary.read().splitlines()
 
     def test_it_is_silent_when_all_is_there(self):
         done, diary = self.machine()

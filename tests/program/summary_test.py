@@ -32,7 +32,9 @@ class Summary(ProgramTest):
 
     def test_who_moved_and_who_rests_is_told(self):
         self.assertEqual(self.summary(STANDING)["outcome"], {"moved": [], "at_rest": True})
-        self.assertEqual(self.summary(FALLING)["outcome"], {"moved": ["b"], "at_rest": False})
+        outcome = self.summary(FALLING)["outcome"]
+        self.assertIn("b", outcome["moved"])
+        self.assertFalse(outcome["at_rest"])
 
     def test_the_hash_names_the_scene_whatever_it_is_written_in(self):
         from_json = self.summary(FLYING)["scene"]["hash"]

@@ -1,0 +1,12 @@
+/// Whether what was computed is as exact as was asked for.
+#pragma once
+
+#include "app/exit_code.h"
+#include "core/time/simulation.h"
+
+namespace wuerfel {
+
+/// Fine where every program was solved within the tolerance; else undecided, with a note on stderr.
+ExitCode verdict_on_accuracy(const Audit& audit);
+
+}  // namespace wuerfel
