@@ -12,14 +12,14 @@ enum class Integrator {
   symplectic,  ///< semi-implicit Euler: p takes the new v
 };
 enum class Formulation {
-  points,  ///< the paper to the letter: every point an unknown, every rod a restriction
   rigid,   ///< x, y, theta per cube; the same rows pulled back, no rods
+  points,  ///< the paper to the letter: every point an unknown, every rod a restriction
 };
 
 struct MotionSettings {
   Integrator integrator = Integrator::symplectic;
-  Formulation formulation = Formulation::points;
-  QpMethod solver = QpMethod::ipopt;
+  Formulation formulation = Formulation::rigid;
+  QpMethod solver = QpMethod::automatic;
   double tolerance = 1e-8;    ///< of states; also the error budget of the audit
   double step = 1.0 / 240.0;  ///< s, of the stepping integrators
 };

@@ -15,7 +15,12 @@ constexpr double acceleration_tolerance = 1e-9;  // of g
 // Observed: 2e-10 of the weight at worst.
 constexpr double force_tolerance = 1e-8;  // of the total weight
 
-class Statics : public testing::TestWithParam<std::string> {};
+struct Way {
+  Formulation formulation;
+  QpMethod solver;
+};
+
+class Statics : public testing::TestWithParam<std::tuple<std::string, Way>> {};
 
 double force_at(const Check& check, const nlohmann::json& expected) {
   const Vec2 point(expected["point"][0].get<double>(), expected["point"][1].get<double>());
@@ -33,8 +38,11 @@ double force_at(const Check& check, const nlohmann::json& expected) {
 }
 
 TEST_P(Statics, AgreesWithTheExactAnswer) {
-  const ReferenceCase reference = read_reference_case(GetParam());
-  const Check answer = check(reference.scene, {});
+  const ReferenceCase reference = read_reference_case(std::get<0>(GetParam()));
+  MotionSettings settings;
+  settings.formulation = std::get<1>(GetParam()).formulation;
+  settings.solver = std::get<1>(GetParam()).solver;
+  const Check answer = check(reference.scene, settings);
   const double g = reference.scene.gravity.norm();
   for (const auto& expected : reference.data["expected"]) {
     const std::string type = expected["type"];
@@ -59,10 +67,21 @@ TEST_P(Statics, AgreesWithTheExactAnswer) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Reference,
-                         Statics,
-                         testing::ValuesIn(reference_case_names("qp_geometry")),
-                         [](const auto& test) { return test_name(test.param); });
+INSTANTIATE_TEST_SUITE_P(
+    Reference,
+    Statics,
+    testing::Combine(testing::ValuesIn(reference_case_names("qp_geometry")),
+                     testing::Values(Way{Formulation::rigid, QpMethod::automatic},
+                                     Way{Formulation::rigid, QpMethod::newton},
+                                     Way{Formulation::rigid, QpMethod::interior_point},
+                                     Way{Formulation::rigid, QpMethod::ipopt},
+                                     Way{Formulation::points, QpMethod::automatic},
+                                     Way{Formulation::points, QpMethod::ipopt})),
+    [](const auto& test) {
+      const Way& way = std::get<1>(test.param);
+      return test_name(std::get<0>(test.param) + "-" + std::string(to_string(way.formulation)) + "-"
+                       + std::string(to_string(way.solver)));
+    });
 
 }  // namespace
 }  // namespace wuerfel::test
