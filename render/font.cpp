@@ -82,6 +82,8 @@ Font::~Font() = default;
 
 FT_FaceRec_* Font::face() { return face_.get(); }
 
+unsigned long Font::glyph_index(char32_t letter) { return FT_Get_Char_Index(face_.get(), letter); }
+
 void Font::select_size(double size) {
   const long wanted = fixed_point(size);
   if (wanted == selected_size_) return;

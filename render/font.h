@@ -46,7 +46,10 @@ class Font {
   /// by `halo` pixels on all sides.
   const Glyph& glyph(char32_t letter, double size, int phase, double halo);
 
-  /// For other backends that embed the font.
+  /// The number of a letter in the font, 0 where it has none.
+  unsigned long glyph_index(char32_t letter);
+  /// For other backends: they may change its size, after which this object must not be used for
+  /// anything else.
   FT_FaceRec_* face();
 
  private:
