@@ -16,12 +16,24 @@ enum class Formulation {
   points,  ///< the paper to the letter: every point an unknown, every rod a restriction
 };
 
+/// Work that a scene may not need. Each can be switched off, which changes no answer beyond its
+/// residual (tests/equivalence/skips_test.cpp).
+struct Skips {
+  bool free_bodies = true;  ///< no program for a cube that touches nothing: it falls freely
+  bool islands = true;      ///< a program for each group of touching cubes, not one for all
+  bool rest = true;  ///< what rests with a certificate is not touched until a neighbour changes
+  bool certificate =
+      true;  ///< an island's former answer is taken where it still passes the optimality test
+  bool warm_start = true;  ///< solvers start from what they remember of the island
+};
+
 struct MotionSettings {
   Integrator integrator = Integrator::symplectic;
   Formulation formulation = Formulation::rigid;
   QpMethod solver = QpMethod::automatic;
   double tolerance = 1e-8;    ///< of states; also the error budget of the audit
   double step = 1.0 / 240.0;  ///< s, of the stepping integrators
+  Skips skips;
 };
 
 std::string_view to_string(Integrator integrator);

@@ -55,4 +55,24 @@ void find_islands(const System& system,
   }
 }
 
+void one_island(const System& system,
+                const std::vector<Contact>& contacts,
+                std::vector<Island>& islands) {
+  islands.assign(1, {});
+  islands[0].cubes.resize(static_cast<std::size_t>(system.cubes));
+  std::iota(islands[0].cubes.begin(), islands[0].cubes.end(), 0);
+  islands[0].contacts = contacts;
+}
+
+void add_free_cubes(const System& system, std::vector<Island>& islands) {
+  std::vector<bool> taken(static_cast<std::size_t>(system.cubes), false);
+  for (const Island& island : islands) {
+    for (const int cube : island.cubes)
+      taken[static_cast<std::size_t>(cube)] = true;
+  }
+  for (int i = 0; i < system.cubes; ++i) {
+    if (!taken[static_cast<std::size_t>(i)]) islands.push_back({{i}, {}});
+  }
+}
+
 }  // namespace wuerfel

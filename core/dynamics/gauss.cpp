@@ -5,22 +5,52 @@
 
 namespace wuerfel {
 
-IslandSolution IslandDynamics::solve(const State& state, const Island& island) {
-  solver_->solve(builder_.program(), result_);
+namespace {
+
+/// A former answer is taken if its residual is below this: what a new solve would reach as well.
+constexpr double certificate_tolerance = 1e-12;
+
+}  // namespace
+
+IslandDynamics::IslandDynamics(const System& system, const MotionSettings& settings)
+    : system_(&system), settings_(settings), builder_(system, settings.formulation) {}
+
+bool IslandDynamics::still_passes(Memory& memory) const {
+  const QuadraticProgram& program = builder_.program();
+  QpResult& former = memory.result;
+  if (!settings_.skips.certificate || former.status != QpStatus::optimal) return false;
+  if (static_cast<int>(former.x.size()) != program.unknowns()) return false;
+  if (static_cast<int>(former.multiplier.size()) != program.rows()) return false;
+  const QpResidual residual = optimality_residual(program, former.x, former.multiplier);
+  if (residual.worst() > certificate_tolerance) return false;
+  former.residual = residual;
+  return true;
+}
+
+IslandSolution IslandDynamics::solve(const State& state, const Island& island, Memories& memories) {
+  const QuadraticProgram& program = builder_.program();
+  // Ipopt remembers nothing but is expensive to make: one for all.
+  Memory& memory = memories[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
   IslandSolution solution;
-  solution.status = result_.status;
-  solution.residual = result_.residual.worst();
+  solution.skipped = still_passes(memory);
+  if (!solution.skipped) {
+    if (!memory.solver) memory.solver = make_qp_solver(settings_.solver);
+    if (!settings_.skips.warm_start) memory.solver->forget();
+    memory.solver->solve(program, memory.result);
+  }
+  const QpResult& result = memory.result;
+  solution.status = result.status;
+  solution.residual = result.residual.worst();
   solution.forces.assign(island.contacts.size(), 0.0);
-  if (static_cast<int>(result_.x.size()) != builder_.program().unknowns()) {
+  if (static_cast<int>(result.x.size()) != program.unknowns()) {
     // Without an answer nothing is pushed: the caller sees the status.
-    const QuadraticProgram& program = builder_.program();
     solution.twists = builder_.twists(state, island, program.target);
     return solution;
   }
-  solution.twists = builder_.twists(state, island, result_.x);
+  solution.twists = builder_.twists(state, island, result.x);
   auto row = static_cast<std::size_t>(builder_.first_contact_row());
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use_[k] != SideUse::none) solution.forces[k] = result_.multiplier[row++];
+    if (use_[k] != SideUse::none) solution.forces[k] = result.multiplier[row++];
   }
   return solution;
 }
@@ -32,19 +62,19 @@ IslandSolution IslandDynamics::accelerations(const State& state, const Island& i
     use_.push_back(active ? SideUse::inequality : SideUse::none);
   }
   builder_.acceleration(state, island, use_);
-  return solve(state, island);
+  return solve(state, island, accelerations_);
 }
 
 IslandSolution IslandDynamics::impact(const State& state, const Island& island) {
   use_.assign(island.contacts.size(), SideUse::inequality);
   builder_.velocity(state, island, use_);
-  return solve(state, island);
+  return solve(state, island, impacts_);
 }
 
 IslandSolution IslandDynamics::tangential_velocities(const State& state, const Island& island) {
   use_.assign(island.contacts.size(), SideUse::equality);
   builder_.velocity(state, island, use_);
-  return solve(state, island);
+  return solve(state, island, tangential_);
 }
 
 IslandSolution IslandDynamics::correction(const State& state,
@@ -52,7 +82,7 @@ IslandSolution IslandDynamics::correction(const State& state,
                                           std::span<const SideUse> use) {
   use_.assign(use.begin(), use.end());
   builder_.position(state, island, use_);
-  return solve(state, island);
+  return solve(state, island, corrections_);
 }
 
 double largest_acceleration(const System& system,

@@ -1,6 +1,8 @@
 /// Gauss' principle of least constraint, Eq. (9), and Moreau's impact law, island by island.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "core/dynamics/programs.h"
@@ -12,34 +14,46 @@ namespace wuerfel {
 struct [[nodiscard]] IslandSolution {
   QpStatus status = QpStatus::invalid;
   double residual = 0.0;       ///< QpResidual::worst()
+  bool skipped = false;        ///< the island's former answer passed the test: nothing was solved
   std::vector<Twist> twists;   ///< per cube: accelerations, or velocities after an impact
   std::vector<double> forces;  ///< per contact: N, or N s; 0 where the contact is not active
 };
 
-/// Builds and solves programs; keeps its memory from call to call.
+/// Builds and solves programs. Remembers, island by island, what a solver can start from; an island
+/// is known by its first cube.
 class IslandDynamics {
  public:
-  IslandDynamics(const System& system, Formulation formulation, QpSolver& solver)
-      : system_(&system), builder_(system, formulation), solver_(&solver) {}
+  IslandDynamics(const System& system, const MotionSettings& settings);
 
-  /// Accelerations (m/s^2, rad/s^2) and contact forces under the contacts that rest.
+  /// Accelerations (m/s^2, rad/s^2) and contact forces under the contacts that do not open.
   IslandSolution accelerations(const State& state, const Island& island);
   /// Velocities after all contacts of the island have hit at once, and their impulses.
   IslandSolution impact(const State& state, const Island& island);
   /// Velocities nearest to those of `state` with the gap rates of all contacts zero.
   IslandSolution tangential_velocities(const State& state, const Island& island);
-  /// Displacements (m, rad) to first order that close the gaps of `closed` contacts and open all
-  /// negative ones.
+  /// Displacements (m, rad), to first order, that make gaps zero where `use` says equality and not
+  /// negative where it says inequality.
   IslandSolution correction(const State& state, const Island& island, std::span<const SideUse> use);
 
  private:
-  IslandSolution solve(const State& state, const Island& island);
+  /// The last program of an island: its answer, and the solver with what that remembers.
+  struct Memory {
+    std::unique_ptr<QpSolver> solver;
+    QpResult result;
+  };
+  using Memories = std::map<int, Memory>;
+
+  IslandSolution solve(const State& state, const Island& island, Memories& memories);
+  [[nodiscard]] bool still_passes(Memory& memory) const;
 
   const System* system_;
+  MotionSettings settings_;
   ProgramBuilder builder_;
-  QpSolver* solver_;
-  QpResult result_;
   std::vector<SideUse> use_;
+  Memories accelerations_;
+  Memories impacts_;
+  Memories tangential_;
+  Memories corrections_;
 };
 
 /// max over cubes of (|a| + side |alpha|), m/s^2: how far from rest accelerations are.

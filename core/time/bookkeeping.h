@@ -40,8 +40,13 @@ struct Audit {
 struct Cost {
   long steps = 0;
   long qp_solves = 0;
-  long qp_skipped =
-      0;  ///< programs answered without a solver: free flight, certified rest, unchanged islands
+  // Programs answered without a solver, by the reason (Skips in core/settings.h).
+  long skipped_free = 0;         ///< cubes that touch nothing
+  long skipped_rest = 0;         ///< islands in certified rest
+  long skipped_certificate = 0;  ///< islands whose former answer still passed
+  [[nodiscard]] long qp_skipped() const {
+    return skipped_free + skipped_rest + skipped_certificate;
+  }
 };
 
 struct Bookkeeping {

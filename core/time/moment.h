@@ -1,7 +1,6 @@
 /// A moment of the motion: the state, what touches, and what has been computed about it.
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "core/dynamics/gauss.h"
@@ -11,11 +10,12 @@ namespace wuerfel {
 struct Moment {
   double t = 0.0;  ///< s
   State state;
-  std::vector<Island> islands;            ///< of the contacts at `state`
-  std::vector<IslandSolution> solutions;  ///< accelerations, one per island; empty until asked for
-  std::vector<Twist> accelerations;       ///< one per cube, filled with `solutions`
-  std::vector<char> resting;              ///< per cube: certified, v = 0 and a = 0
-  std::set<ContactId> lasting;            ///< contacts of a step ago: no new impacts of theirs
+  std::vector<Island> islands;  ///< of the contacts at `state`
+  std::vector<IslandSolution>
+      solutions;  ///< accelerations, one per island; without twists until asked for
+  std::vector<Twist> accelerations;  ///< one per cube; empty until asked for
+  std::vector<char> resting;         ///< per cube: certified, v = 0 and a = 0
+  std::vector<ContactId> lasting;    ///< contacts of a step ago, sorted: no new impacts of theirs
 };
 
 }  // namespace wuerfel

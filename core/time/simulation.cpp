@@ -25,6 +25,7 @@ struct Simulation::Impl {
   MotionSettings settings;
   System system;
   Stepper stepper;
+  Stepper looker;               ///< for looks between steps: what it remembers is not the motion's
   Moment grid;                  ///< at a whole number of steps
   std::optional<Moment> shown;  ///< between grid times, where somebody asked for it
   Bookkeeping book;
@@ -32,7 +33,11 @@ struct Simulation::Impl {
   State start;
 
   Impl(const Scene& s, const MotionSettings& m)
-      : scene(s), settings(m), system(make_system(s)), stepper(system, settings) {
+      : scene(s),
+        settings(m),
+        system(make_system(s)),
+        stepper(system, settings),
+        looker(system, settings) {
     grid = first_moment(scene, system);
     book.audit.energy_start = energy(system, grid.state);
     start = grid.state;
@@ -55,7 +60,7 @@ struct Simulation::Impl {
     Bookkeeping aside;
     stepper.accelerate(grid, book);
     shown = grid;
-    stepper.step(*shown, rest, aside);
+    looker.step(*shown, rest, aside);
     shown->t = t;
     book.audit.max_penetration = std::max(book.audit.max_penetration, aside.audit.max_penetration);
     book.cost.qp_solves += aside.cost.qp_solves;

@@ -20,7 +20,7 @@ constexpr double corrected_gap = 1e-11;
 constexpr int most_corrections = 12;
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
-  ++book.cost.qp_solves;
+  ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
   book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
   if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
 }
@@ -69,12 +69,16 @@ bool at_rest(const Island& island, const State& state) {
 }  // namespace
 
 Stepper::Stepper(const System& system, const MotionSettings& settings)
-    : system_(&system),
-      settings_(settings),
-      solver_(make_qp_solver(settings.solver)),
-      dynamics_(system, settings.formulation, *solver_) {}
+    : system_(&system), settings_(settings), dynamics_(system, settings) {}
 
 void Stepper::step(Moment& moment, double dt, Bookkeeping& book) {
+  // What rests altogether stays: not even its contacts are looked for.
+  if (std::ranges::all_of(moment.resting, [](char r) { return r != 0; })) {
+    book.cost.skipped_rest += static_cast<long>(moment.islands.size());
+    moment.t += dt;
+    ++book.cost.steps;
+    return;
+  }
   // Bestimme die aktiven Restriktionen: done by `arrive` when this moment was reached.
   // Bestimme (a_i): Eq. (9) under (1) and under (7) where (2) = (3) = 0.
   accelerate(moment, book);
@@ -93,27 +97,26 @@ void Stepper::step(Moment& moment, double dt, Bookkeeping& book) {
 }
 
 void Stepper::arrive(Moment& moment, Bookkeeping& book) {
+  const Moment before = std::move(moment);
+  moment = {};
+  moment.t = before.t;
+  moment.state = before.state;
+  moment.resting = before.resting;
+  moment.lasting = before.lasting;
   moment.resting.resize(static_cast<std::size_t>(system_->cubes), 0);
-  moment.accelerations.clear();
-  const std::vector<Island> islands_before = std::move(moment.islands);
-  std::vector<IslandSolution> solutions_before = std::move(moment.solutions);
-  moment.islands = {};
-  moment.solutions = {};
   std::vector<Contact> contacts;
   finder_.find(*system_, moment.state, contacts);
   book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
-  find_islands(*system_, contacts, moment.islands);
+  if (settings_.skips.islands) {
+    find_islands(*system_, contacts, moment.islands);
+    if (!settings_.skips.free_bodies) add_free_cubes(*system_, moment.islands);
+  } else {
+    one_island(*system_, contacts, moment.islands);
+  }
   moment.solutions.resize(moment.islands.size());
-  for (std::size_t m = 0; m < moment.islands.size(); ++m) {
-    const Island& island = moment.islands[m];
-    if (resting(moment, island)) {
-      // Nothing has changed since its rest was certified: the forces are the same, too.
-      for (std::size_t k = 0; k < solutions_before.size(); ++k) {
-        if (islands_before[k].cubes == island.cubes)
-          moment.solutions[m] = std::move(solutions_before[k]);
-      }
-      continue;
-    }
+  keep_rest(moment, before);
+  for (const Island& island : moment.islands) {
+    if (resting(moment, island)) continue;
     const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
       return contact_motion(*system_, moment.state, c) == ContactMotion::closing;
     });
@@ -124,7 +127,21 @@ void Stepper::arrive(Moment& moment, Bookkeeping& book) {
   }
   moment.lasting.clear();
   for (const Contact& c : contacts)
-    moment.lasting.insert(c.id());
+    moment.lasting.push_back(c.id());
+  std::ranges::sort(moment.lasting);
+}
+
+/// Nothing has changed about an island since its rest was certified: the forces are the same, too.
+void Stepper::keep_rest(Moment& moment, const Moment& before) const {
+  std::size_t k = 0;
+  for (std::size_t m = 0; m < moment.islands.size(); ++m) {
+    const Island& island = moment.islands[m];
+    if (!resting(moment, island)) continue;
+    while (k < before.islands.size() && before.islands[k].cubes.front() < island.cubes.front())
+      ++k;
+    if (k == before.islands.size()) return;
+    if (before.islands[k].cubes == island.cubes) moment.solutions[m] = before.solutions[k];
+  }
 }
 
 void Stepper::strike(Moment& moment, const Island& island, Bookkeeping& book) {
@@ -137,7 +154,9 @@ void Stepper::strike(Moment& moment, const Island& island, Bookkeeping& book) {
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     // A contact that lasts is struck in each step by the step's error; that is no event.
-    if (after.forces[k] <= pressed_share * largest || moment.lasting.contains(c.id())) continue;
+    if (after.forces[k] <= pressed_share * largest
+        || std::ranges::binary_search(moment.lasting, c.id()))
+      continue;
     book.events.push_back({moment.t, EventKind::impact, system_->body(c.on).name,
                            system_->body(c.from).name, c.point, after.forces[k]});
   }
@@ -151,19 +170,22 @@ bool Stepper::resting(const Moment& moment, const Island& island) const {
 void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
   if (!moment.accelerations.empty()) return;
   moment.accelerations.assign(static_cast<std::size_t>(system_->cubes), {system_->gravity, 0.0});
+  book.cost.skipped_free += system_->cubes;
   for (std::size_t m = 0; m < moment.islands.size(); ++m) {
     const Island& island = moment.islands[m];
     IslandSolution& solution = moment.solutions[m];
+    book.cost.skipped_free -= static_cast<long>(island.cubes.size());
     if (!solution.twists.empty()) {
       for (const int cube : island.cubes)
         moment.accelerations[static_cast<std::size_t>(cube)] = {};
-      ++book.cost.qp_skipped;
+      ++book.cost.skipped_rest;
       continue;
     }
     solution = dynamics_.accelerations(moment.state, island);
     keep_book(solution, book);
     const double limit = rest_acceleration * system_->gravity.norm();
-    const bool rests = solution.status == QpStatus::optimal && at_rest(island, moment.state)
+    const bool rests = settings_.skips.rest && solution.status == QpStatus::optimal
+                       && at_rest(island, moment.state)
                        && largest_acceleration(*system_, island, solution.twists) <= limit;
     for (std::size_t k = 0; k < island.cubes.size(); ++k) {
       const auto cube = static_cast<std::size_t>(island.cubes[k]);
@@ -178,7 +200,7 @@ std::vector<Contact> Stepper::pressed_contacts(const Moment& moment) const {
   for (std::size_t m = 0; m < moment.islands.size(); ++m) {
     const Island& island = moment.islands[m];
     const IslandSolution& solution = moment.solutions[m];
-    if (resting(moment, island)) continue;
+    if (island.contacts.empty()) continue;
     const double largest = std::ranges::max(solution.forces);
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       if (solution.forces[k] > pressed_share * largest) pressed.push_back(island.contacts[k]);

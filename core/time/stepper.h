@@ -1,7 +1,6 @@
 /// Algorithm 1 of the paper, step by step, with the impact law that it leaves open.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/time/bookkeeping.h"
@@ -28,13 +27,13 @@ class Stepper {
                       std::vector<Contact>& closed,
                       Bookkeeping& book);
   void correct_velocities(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
+  void keep_rest(Moment& moment, const Moment& before) const;
   void strike(Moment& moment, const Island& island, Bookkeeping& book);
   [[nodiscard]] std::vector<Contact> pressed_contacts(const Moment& moment) const;
   [[nodiscard]] bool resting(const Moment& moment, const Island& island) const;
 
   const System* system_;
   MotionSettings settings_;
-  std::unique_ptr<QpSolver> solver_;
   IslandDynamics dynamics_;
   ContactFinder finder_;
 };
