@@ -16,15 +16,15 @@ StopSignal::StopSignal() {
   struct sigaction action {};
   action.sa_handler = note_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  for (std::size_t i = 0; i < signals_.size(); ++i) {
-    sigaction(signals_[i], nullptr, &before_[i]);
-    if (before_[i].sa_handler != SIG_IGN) sigaction(signals_[i], &action, nullptr);
+  for (std::size_t i = 0; i < handled.size(); ++i) {
+    sigaction(handled[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) sigaction(handled[i], &action, nullptr);
   }
 }
 
 StopSignal::~StopSignal() {
-  for (std::size_t i = 0; i < signals_.size(); ++i)
-    sigaction(signals_[i], &before_[i], nullptr);
+  for (std::size_t i = 0; i < handled.size(); ++i)
+    sigaction(handled[i], &before_[i], nullptr);
 }
 
 void StopSignal::check() const {

@@ -24,7 +24,7 @@ class StopSignal {
   void check() const;
 
  private:
-  static constexpr std::array<int, 3> signals_{SIGINT, SIGTERM, SIGHUP};
+  static constexpr std::array<int, 3> handled{SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, 3> before_{};
 };
 
