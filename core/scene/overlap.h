@@ -17,7 +17,10 @@ enum class BodyKind { plane, fixed, cube };
 struct BodyRef {
   BodyKind kind = BodyKind::cube;
   int index = 0;
-  auto operator<=>(const BodyRef&) const = default;
+  bool operator==(const BodyRef&) const = default;
+  bool operator<(const BodyRef& other) const {
+    return kind < other.kind || (kind == other.kind && index < other.index);
+  }
 };
 
 const std::string& body_name(const Scene& scene, const BodyRef& body);

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "core/scene/counter_random.h"
+#include "core/scene/groups.h"
 
 namespace wuerfel {
 namespace {
@@ -72,7 +75,8 @@ class Grid {
     const int last_row = cell_of(high.y(), 1);
     for (int row = cell_of(low.y(), 1); row <= last_row; ++row) {
       for (int column = cell_of(low.x(), 0); column <= last_column; ++column) {
-        if (!action(cells_[static_cast<std::size_t>(row * count_[0] + column)])) return false;
+        const int cell = row * count_[0] + column;
+        if (!action(cells_[static_cast<std::size_t>(cell)])) return false;
       }
     }
     return true;
@@ -131,6 +135,37 @@ std::vector<PilePose> scatter(const PileEntry& pile,
     tries = 0;
   }
   return poses;
+}
+
+void scatter_piles(Scene& scene, const std::vector<PileEntry>& piles, const SceneSource& source) {
+  if (piles.empty()) return;
+  std::int64_t scattered = 0;
+  for (const PileEntry& pile : piles) {
+    scattered += pile.count;
+  }
+  std::vector<Box> obstacles;
+  for (const SceneFixed& fixed : scene.fixed) {
+    obstacles.push_back(make_box(fixed.position, fixed.angle, fixed.size));
+  }
+  auto next = scene.cubes.end() - scattered;
+  for (auto cube = scene.cubes.begin(); cube != next; ++cube) {
+    obstacles.push_back(make_box(cube->position, cube->angle, cube->size));
+  }
+  for (const PileEntry& pile : piles) {
+    const std::vector<PilePose> poses = scatter(pile, obstacles, scene.planes);
+    if (static_cast<std::int64_t>(poses.size()) < pile.count) {
+      source.fail(place_of(pile.origin, "region"), pile.origin.path,
+                  fmt::format("only {} of {} cubes found a place clear of all others; enlarge the "
+                              "region or ask for fewer",
+                              poses.size(), pile.count));
+    }
+    for (const PilePose& pose : poses) {
+      next->position = pose.position;
+      next->angle = pose.angle;
+      obstacles.push_back(make_box(next->position, next->angle, next->size));
+      ++next;
+    }
+  }
 }
 
 }  // namespace wuerfel

@@ -23,4 +23,8 @@ std::vector<PilePose> scatter(const PileEntry& pile,
                               const std::vector<Box>& obstacles,
                               const std::vector<ScenePlane>& planes);
 
+/// Gives the cubes of all piles, which are the last cubes of the scene in the order of `piles`,
+/// their poses; all other bodies are in their places. Throws SceneError where a pile does not fit.
+void scatter_piles(Scene& scene, const std::vector<PileEntry>& piles, const SceneSource& source);
+
 }  // namespace wuerfel

@@ -42,9 +42,9 @@ class Placement {
       state(i) = State::on_the_way;
       chain.push_back(i);
     }
-    for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
-      place(group(*i));
-      state(*i) = State::placed;
+    for (; !chain.empty(); chain.pop_back()) {
+      place(group(chain.back()));
+      state(chain.back()) = State::placed;
     }
   }
 

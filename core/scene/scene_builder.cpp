@@ -51,7 +51,7 @@ class SceneBuilder {
     add_generators();
     const BodyNames names = collect_names(scene_, groups_, source_);
     place_groups(scene_, groups_, names, source_);
-    scatter_piles();
+    scatter_piles(scene_, entries_.piles, source_);
     add_pairs(names);
     check_ranges();
     check_overlap();
@@ -60,18 +60,23 @@ class SceneBuilder {
 
  private:
   void check_counts() const {
-    std::int64_t cubes = static_cast<std::int64_t>(entries_.cubes.size());
-    for (const TowerEntry& tower : entries_.towers)
+    auto cubes = static_cast<std::int64_t>(entries_.cubes.size());
+    for (const TowerEntry& tower : entries_.towers) {
       cubes += tower.count;
-    for (const WallEntry& wall : entries_.walls)
+    }
+    for (const WallEntry& wall : entries_.walls) {
       cubes += wall.rows * (wall.columns + 1);
-    for (const PyramidEntry& pyramid : entries_.pyramids)
+    }
+    for (const PyramidEntry& pyramid : entries_.pyramids) {
       cubes += pyramid.rows * (pyramid.rows + 1) / 2;
-    for (const PileEntry& pile : entries_.piles)
+    }
+    for (const PileEntry& pile : entries_.piles) {
       cubes += pile.count;
-    if (cubes == 0)
+    }
+    if (cubes == 0) {
       source_.fail({}, "",
                    "the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
+    }
     const std::int64_t bodies = cubes + static_cast<std::int64_t>(entries_.fixed.size());
     if (bodies > most_bodies) {
       source_.fail({}, "",
@@ -201,38 +206,6 @@ class SceneBuilder {
       const Brick brick{Vec2::Zero(), pile.size.extent, 1.0};
       const std::vector<Brick> bricks(static_cast<std::size_t>(pile.count), brick);
       add_generated(pile, bricks, nullptr, fmt::format("pile{}", ++number));
-    }
-  }
-
-  /// Piles are the last groups and the last cubes: all others are in their places, and so are
-  /// earlier piles.
-  void scatter_piles() {
-    if (entries_.piles.empty()) return;
-    std::vector<Box> obstacles;
-    for (const SceneFixed& fixed : scene_.fixed) {
-      obstacles.push_back(make_box(fixed.position, fixed.angle, fixed.size));
-    }
-    std::int64_t scattered = 0;
-    for (const PileEntry& pile : entries_.piles)
-      scattered += pile.count;
-    auto next = scene_.cubes.end() - scattered;
-    for (auto cube = scene_.cubes.begin(); cube != next; ++cube) {
-      obstacles.push_back(make_box(cube->position, cube->angle, cube->size));
-    }
-    for (const PileEntry& pile : entries_.piles) {
-      const std::vector<PilePose> poses = scatter(pile, obstacles, scene_.planes);
-      if (static_cast<std::int64_t>(poses.size()) < pile.count) {
-        source_.fail(place_of(pile.origin, "region"), pile.origin.path,
-                     fmt::format("only {} of {} cubes found a place clear of all others; enlarge "
-                                 "the region or ask for fewer",
-                                 poses.size(), pile.count));
-      }
-      for (const PilePose& pose : poses) {
-        next->position = pose.position;
-        next->angle = pose.angle;
-        obstacles.push_back(make_box(next->position, next->angle, next->size));
-        ++next;
-      }
     }
   }
 

@@ -1,6 +1,7 @@
 #include "core/scene/scene_text.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -19,31 +20,38 @@ unsigned byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
 }
 
-/// Length of the UTF-8 character at `i`, 0 where there is none (RFC 3629: no overlong forms, no
-/// surrogates).
+/// Characters by their first byte (RFC 3629): how long they are and what the second byte may be. No
+/// overlong forms, no surrogates, nothing beyond U+10FFFF.
+struct CharacterClass {
+  unsigned first_low;
+  unsigned first_high;
+  std::size_t length;
+  unsigned second_low;
+  unsigned second_high;
+};
+constexpr std::array<CharacterClass, 8> character_classes{{{0xc2U, 0xdfU, 2, 0x80U, 0xbfU},
+                                                           {0xe0U, 0xe0U, 3, 0xa0U, 0xbfU},
+                                                           {0xe1U, 0xecU, 3, 0x80U, 0xbfU},
+                                                           {0xedU, 0xedU, 3, 0x80U, 0x9fU},
+                                                           {0xeeU, 0xefU, 3, 0x80U, 0xbfU},
+                                                           {0xf0U, 0xf0U, 4, 0x90U, 0xbfU},
+                                                           {0xf1U, 0xf3U, 4, 0x80U, 0xbfU},
+                                                           {0xf4U, 0xf4U, 4, 0x80U, 0x8fU}}};
+
+/// Length of the UTF-8 character at `i`, 0 where there is none.
 std::size_t character_length(std::string_view text, std::size_t i) {
-  const unsigned lead = byte_at(text, i);
-  if (lead < 0x80U) return 1;
-  std::size_t length = 0;
-  unsigned low = 0x80U;  // bounds of the second byte
-  unsigned high = 0xbfU;
-  if (lead >= 0xc2U && lead <= 0xdfU) {
-    length = 2;
-  } else if (lead >= 0xe0U && lead <= 0xefU) {
-    length = 3;
-    if (lead == 0xe0U) low = 0xa0U;
-    if (lead == 0xedU) high = 0x9fU;
-  } else if (lead >= 0xf0U && lead <= 0xf4U) {
-    length = 4;
-    if (lead == 0xf0U) low = 0x90U;
-    if (lead == 0xf4U) high = 0x8fU;
-  }
-  if (length == 0 || i + length > text.size()) return 0;
-  if (byte_at(text, i + 1) < low || byte_at(text, i + 1) > high) return 0;
-  for (std::size_t k = 2; k < length; ++k) {
+  const unsigned first = byte_at(text, i);
+  if (first < 0x80U) return 1;
+  const auto* found = std::find_if(
+      character_classes.begin(), character_classes.end(),
+      [&](const CharacterClass& c) { return first >= c.first_low && first <= c.first_high; });
+  if (found == character_classes.end() || i + found->length > text.size()) return 0;
+  const unsigned second = byte_at(text, i + 1);
+  if (second < found->second_low || second > found->second_high) return 0;
+  for (std::size_t k = 2; k < found->length; ++k) {
     if ((byte_at(text, i + k) & 0xc0U) != 0x80U) return 0;
   }
-  return length;
+  return found->length;
 }
 
 std::optional<TextFault> find_encoding_fault(std::string_view text) {
