@@ -89,7 +89,7 @@ class ContactFinder {
 
  private:
   std::vector<Box> boxes_;
-  std::vector<Bounds> bounds_;
+  std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
   Overlap deepest_;
 };

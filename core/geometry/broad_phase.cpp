@@ -7,20 +7,20 @@ namespace {
 
 constexpr int leaf_size = 4;
 
-const Bounds& at(std::span<const Bounds> bounds, int i) {
+const BoundingBox& at(std::span<const BoundingBox> bounds, int i) {
   return bounds[static_cast<std::size_t>(i)];
 }
 
 }  // namespace
 
-int BroadPhase::build(std::span<const Bounds> bounds, int begin, int end) {
+int BroadPhase::build(std::span<const BoundingBox> bounds, int begin, int end) {
   const int index = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   const auto first = order_.begin();
-  Bounds all = at(bounds, first[begin]);
-  Bounds centers{all.low + all.high, all.low + all.high};
+  BoundingBox all = at(bounds, first[begin]);
+  BoundingBox centers{all.low + all.high, all.low + all.high};
   for (int i = begin + 1; i < end; ++i) {
-    const Bounds& b = at(bounds, first[i]);
+    const BoundingBox& b = at(bounds, first[i]);
     all.low = all.low.cwiseMin(b.low);
     all.high = all.high.cwiseMax(b.high);
     centers.low = centers.low.cwiseMin(b.low + b.high);
@@ -44,8 +44,8 @@ int BroadPhase::build(std::span<const Bounds> bounds, int begin, int end) {
   return index;
 }
 
-void BroadPhase::query(std::span<const Bounds> bounds, int leaf_item) {
-  const Bounds& mine = at(bounds, leaf_item);
+void BroadPhase::query(std::span<const BoundingBox> bounds, int leaf_item) {
+  const BoundingBox& mine = at(bounds, leaf_item);
   stack_.assign(1, 0);
   while (!stack_.empty()) {
     const int index = stack_.back();
@@ -66,7 +66,7 @@ void BroadPhase::query(std::span<const Bounds> bounds, int leaf_item) {
   }
 }
 
-const std::vector<IndexPair>& BroadPhase::overlapping_pairs(std::span<const Bounds> bounds) {
+const std::vector<IndexPair>& BroadPhase::overlapping_pairs(std::span<const BoundingBox> bounds) {
   pairs_.clear();
   nodes_.clear();
   const int n = static_cast<int>(bounds.size());
@@ -84,7 +84,7 @@ const std::vector<IndexPair>& BroadPhase::overlapping_pairs(std::span<const Boun
   return pairs_;
 }
 
-std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const Bounds> bounds) {
+std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const BoundingBox> bounds) {
   std::vector<IndexPair> pairs;
   const int n = static_cast<int>(bounds.size());
   for (int i = 0; i < n; ++i) {

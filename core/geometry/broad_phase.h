@@ -10,10 +10,10 @@
 namespace wuerfel {
 
 /// Axis-aligned bounds.
-struct Bounds {
+struct BoundingBox {
   Vec2 low = Vec2::Zero();   ///< m
   Vec2 high = Vec2::Zero();  ///< m
-  [[nodiscard]] bool overlaps(const Bounds& other) const {
+  [[nodiscard]] bool overlaps(const BoundingBox& other) const {
     return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y()
            && other.low.y() <= high.y();
   }
@@ -26,17 +26,17 @@ using IndexPair = std::pair<int, int>;
 class BroadPhase {
  public:
   /// Pairs (i, j), i < j, in ascending order.
-  const std::vector<IndexPair>& overlapping_pairs(std::span<const Bounds> bounds);
+  const std::vector<IndexPair>& overlapping_pairs(std::span<const BoundingBox> bounds);
 
  private:
   struct Node {
-    Bounds bounds;
+    BoundingBox bounds;
     int begin = 0;  ///< range of order_ below this node
     int end = 0;
     int right = -1;  ///< right child; the left one follows its parent; -1: leaf
   };
-  int build(std::span<const Bounds> bounds, int begin, int end);
-  void query(std::span<const Bounds> bounds, int leaf_item);
+  int build(std::span<const BoundingBox> bounds, int begin, int end);
+  void query(std::span<const BoundingBox> bounds, int leaf_item);
 
   std::vector<int> order_;
   std::vector<Node> nodes_;
@@ -45,6 +45,6 @@ class BroadPhase {
 };
 
 /// The oracle: every pair looked at.
-std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const Bounds> bounds);
+std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const BoundingBox> bounds);
 
 }  // namespace wuerfel

@@ -90,7 +90,7 @@ void add_contacts(const Island& island, Snapshot& snapshot) {
 void add_sides(const System& system, const State& state, Snapshot& snapshot) {
   std::vector<Box> boxes;
   pose_boxes(system, state, boxes);
-  std::vector<Bounds> bounds;
+  std::vector<BoundingBox> bounds;
   for (std::size_t i = 0; i < snapshot.boxes.size(); ++i) {
     const Vec2 reach = Vec2::Constant(boxes[i].half.norm() + 0.5 * boxes[i].smaller_side());
     bounds.push_back({boxes[i].center - reach, boxes[i].center + reach});

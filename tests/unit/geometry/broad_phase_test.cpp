@@ -9,9 +9,9 @@
 namespace wuerfel::test {
 namespace {
 
-std::vector<Bounds> random_bounds(std::uint64_t seed, int n, double size_ratio) {
+std::vector<BoundingBox> random_bounds(std::uint64_t seed, int n, double size_ratio) {
   RandomNumbers random(seed);
-  std::vector<Bounds> bounds;
+  std::vector<BoundingBox> bounds;
   for (int i = 0; i < n; ++i) {
     const Vec2 center = 10.0 * random.next_vec2();
     const double half = 0.3 * std::pow(size_ratio, random.next());
@@ -24,16 +24,16 @@ TEST(BroadPhase, FindsWhatBruteForceFinds) {
   BroadPhase broad_phase;
   for (const int n : {0, 1, 2, 5, 17, 300}) {
     for (const double ratio : {1.0, 30.0}) {
-      const std::vector<Bounds> bounds = random_bounds(static_cast<std::uint64_t>(n), n, ratio);
+      const std::vector<BoundingBox> bounds = random_bounds(static_cast<std::uint64_t>(n), n, ratio);
       EXPECT_EQ(broad_phase.overlapping_pairs(bounds), overlapping_pairs_brute_force(bounds)) << n;
     }
   }
 }
 
 TEST(BroadPhase, FindsTouchingCellsOfAGridAndStacksAllTheSame) {
-  std::vector<Bounds> grid;
-  std::vector<Bounds> stack;
-  std::vector<Bounds> same;
+  std::vector<BoundingBox> grid;
+  std::vector<BoundingBox> stack;
+  std::vector<BoundingBox> same;
   for (int i = 0; i < 100; ++i) {
     const Vec2 low(i % 10, i / 10);
     grid.push_back({low, low + Vec2::Ones()});
