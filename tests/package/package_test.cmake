@@ -1,0 +1,21 @@
+# Builds the outside program against the install tree and, if SUBDIRECTORY is set, with the project as a subdirectory.
+# Run: cmake -DROOT=.. -DBUILD=.. -DSCRATCH=.. -P package_test.cmake
+cmake_minimum_required(VERSION 3.25)
+
+function(must)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+if(SUBDIRECTORY)
+  set(options -DWUERFEL_SOURCE=${ROOT})
+else()
+  must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
+  set(options -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+endif()
+must(${CMAKE_COMMAND} -G Ninja -S ${ROOT}/tests/package -B ${SCRATCH}/build -DCMAKE_BUILD_TYPE=Release ${options})
+must(${CMAKE_COMMAND} --build ${SCRATCH}/build --target outside)
+must(${SCRATCH}/build/outside)
