@@ -1,22 +1,27 @@
 #include "core/qp/block_solver.h"
 
 #include <algorithm>
+#include <array>
 
 namespace wuerfel {
 namespace {
 
-constexpr double goal_share = 1e-2;  ///< methods aim this far below the tolerance
+constexpr double goal_share = 1e-2;  ///< newton aims this far below the tolerance
+constexpr double interior_goal_share =
+    1e-1;                            ///< interior_point this far, where every step costs factors
 constexpr double best_goal = 2e-14;  ///< but not below rounding
-constexpr int most_newton_factorisations = 20;
+constexpr int small_problem = 300;   ///< blocks up to which newton is cheap
+constexpr int large_problem = 1500;  ///< blocks from which it is not tried
+constexpr int most_newton_factorisations = 20;  ///< then the other method takes over
+constexpr int few_newton_factorisations =
+    6;  ///< the same where newton is not cheap and has to guess sides
 constexpr int patient_newton_factorisations = 400;  ///< where there is no other method
-constexpr int large_problem =
-    1500;  ///< blocks from which newton is tried only where it was right before
 constexpr int retry_newton_after = 32;
-constexpr double usual_proximal = 1e-14;
-constexpr double small_proximal =
-    1e-15;  ///< fails less often on jammed walls of very different masses, more often elsewhere
 constexpr double worth_settling = 1e-4;
 constexpr double settling_weight = 1e9;  ///< of tight rows, in units of 1 / |g|^2
+/// One after the other: small ones fail less often on jammed walls of very different masses, more
+/// often elsewhere.
+constexpr std::array proximal_terms{1e-14, 1e-15, 1e-16};
 
 }  // namespace
 
@@ -27,8 +32,8 @@ void BlockSolver::forget() {
   problem_.forget();
   newton_.forget();
   interior_point_.forget();
-  winner_ = Winner::none;
-  since_newton_ = 0;
+  newton_won_ = knows_sides_ = tried_newton_ = tried_known_sides_ = false;
+  since_newton_ = warm_factorisations_ = cold_factorisations_ = 0;
 }
 
 void BlockSolver::solve(const QuadraticProgram& program, QpResult& result) {
@@ -56,22 +61,36 @@ void BlockSolver::run(const QuadraticProgram& program,
     run_newton(program, scales, patient_newton_factorisations, result);
     return;
   }
-  const bool warm = interior_point_.can_start_warm(problem_);
-  if (method_ == QpMethod::automatic) {
-    const bool untried = winner_ == Winner::none && problem_.blocks() <= large_problem;
-    const bool due = ++since_newton_ >= retry_newton_after;
-    if (untried || winner_ == Winner::newton || due) {
-      since_newton_ = 0;
-      if (run_newton(program, scales, most_newton_factorisations, result)) {
-        winner_ = Winner::newton;
-        return;
-      }
-    }
+  if (method_ == QpMethod::automatic && newton_is_due()) {
+    const int most = problem_.blocks() <= small_problem || knows_sides_ ? most_newton_factorisations
+                                                                        : few_newton_factorisations;
+    since_newton_ = 0;
+    knows_sides_ = run_newton(program, scales, most, result);
+    newton_won_ = knows_sides_;
+    if (newton_won_) return;
   }
-  winner_ = Winner::interior_point;
-  if (warm && run_interior_point(program, scales, true, usual_proximal, result)) return;
-  if (run_interior_point(program, scales, false, usual_proximal, result)) return;
-  run_interior_point(program, scales, false, small_proximal, result);
+  run_interior_point(program, scales, result);
+  if (method_ == QpMethod::automatic) {
+    newton_.remember(problem_, interior_point_.multiplier());
+    knows_sides_ = true;
+  }
+}
+
+/// After newton itself, or when its turn comes again: at once after the first answer of the other
+/// method, later now and then.
+bool BlockSolver::newton_is_due() {
+  ++since_newton_;
+  if (newton_won_) return true;
+  if (problem_.blocks() > large_problem) return false;
+  if (!tried_newton_) {
+    tried_newton_ = true;
+    return true;
+  }
+  if (knows_sides_ && !tried_known_sides_) {
+    tried_known_sides_ = true;
+    return true;
+  }
+  return since_newton_ >= retry_newton_after;
 }
 
 bool BlockSolver::run_newton(const QuadraticProgram& program,
@@ -82,13 +101,23 @@ bool BlockSolver::run_newton(const QuadraticProgram& program,
   return take(program, scales, outcome, newton_.y(), newton_.multiplier(), result);
 }
 
-bool BlockSolver::run_interior_point(const QuadraticProgram& program,
+/// Warm as long as that is faster than cold.
+void BlockSolver::run_interior_point(const QuadraticProgram& program,
                                      const ResidualScales& scales,
-                                     bool warm,
-                                     double proximal,
                                      QpResult& result) {
-  const MethodOutcome outcome = interior_point_.run(problem_, scales, goal(), warm, proximal);
-  return take(program, scales, outcome, interior_point_.y(), interior_point_.multiplier(), result);
+  const auto attempt = [&](bool warm, double proximal) {
+    const MethodOutcome outcome = interior_point_.run(
+        problem_, scales, interior_goal_share * settings_.tolerance, warm, proximal);
+    (warm ? warm_factorisations_ : cold_factorisations_) = outcome.factorisations;
+    return take(program, scales, outcome, interior_point_.y(), interior_point_.multiplier(),
+                result);
+  };
+  if (interior_point_.can_start_warm(problem_) && warm_factorisations_ < cold_factorisations_) {
+    if (attempt(true, proximal_terms.front())) return;
+    warm_factorisations_ = cold_factorisations_;
+  }
+  for (const double proximal : proximal_terms)
+    if (attempt(false, proximal)) return;
 }
 
 /// Moves the point onto the rows that carry force, leaving the multipliers. Between bodies of very

@@ -23,17 +23,14 @@ class BlockSolver final : public QpSolver {
   void forget() override;
 
  private:
-  enum class Winner { none, newton, interior_point };
-
   void run(const QuadraticProgram& program, const ResidualScales& scales, QpResult& result);
+  bool newton_is_due();
   bool run_newton(const QuadraticProgram& program,
                   const ResidualScales& scales,
                   int most,
                   QpResult& result);
-  bool run_interior_point(const QuadraticProgram& program,
+  void run_interior_point(const QuadraticProgram& program,
                           const ResidualScales& scales,
-                          bool warm,
-                          double proximal,
                           QpResult& result);
   [[nodiscard]] double goal() const;
   QpResidual settle(const QuadraticProgram& program,
@@ -56,8 +53,15 @@ class BlockSolver final : public QpSolver {
   InteriorPointMethod interior_point_;
   OptimalityMeter meter_;
   std::string_view trouble_;
-  Winner winner_ = Winner::none;
-  int since_newton_ = 0;  ///< solves since newton was last tried
+  // What automatic remembers.
+  bool newton_won_ = false;         ///< the last time
+  bool knows_sides_ = false;        ///< newton starts from those of a solution
+  bool tried_newton_ = false;       ///< from a guess
+  bool tried_known_sides_ = false;  ///< from those of interior_point
+  int since_newton_ = 0;            ///< solves since it was last tried
+  // Of the interior point runs last made.
+  int warm_factorisations_ = 0;
+  int cold_factorisations_ = 0;
   std::vector<double> x_, former_x_, weight_, rest_;
   std::vector<Quad> y_, d_;
 };

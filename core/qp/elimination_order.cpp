@@ -1,5 +1,6 @@
 #include "core/qp/elimination_order.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -52,11 +53,21 @@ void order_many(int blocks,
                 const std::vector<int>& start,
                 const std::vector<int>& neighbour,
                 std::vector<int>& order) {
+  // Eigen orders blocks without a diagonal entry first, whatever their neighbours.
   Eigen::SparseMatrix<double, Eigen::ColMajor, int> pattern(blocks, blocks);
-  pattern.resizeNonZeros(static_cast<Eigen::Index>(neighbour.size()));
-  std::copy(start.begin(), start.end(), pattern.outerIndexPtr());
-  std::copy(neighbour.begin(), neighbour.end(), pattern.innerIndexPtr());
-  std::fill_n(pattern.valuePtr(), neighbour.size(), 1.0);
+  pattern.resizeNonZeros(static_cast<Eigen::Index>(neighbour.size()) + blocks);
+  int* to = pattern.innerIndexPtr();
+  for (int b = 0; b < blocks; ++b) {
+    pattern.outerIndexPtr()[b] = static_cast<int>(to - pattern.innerIndexPtr());
+    const auto first = neighbour.begin() + start[at(b)];
+    const auto last = neighbour.begin() + start[at(b) + 1];
+    const auto middle = std::lower_bound(first, last, b);
+    to = std::copy(first, middle, to);
+    *to++ = b;
+    to = std::copy(middle, last, to);
+  }
+  pattern.outerIndexPtr()[blocks] = static_cast<int>(to - pattern.innerIndexPtr());
+  std::fill_n(pattern.valuePtr(), pattern.nonZeros(), 1.0);
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(blocks);
   Eigen::AMDOrdering<int>()(pattern, permutation);
   order.assign(permutation.indices().data(), permutation.indices().data() + blocks);

@@ -154,8 +154,11 @@ void LeastDistance::scale(const QuadraticProgram& program) {
   g_.resize(block_.size());
   h_.resize(at(rows_));
   square_.resize(at(rows_));
-  for (int row = 0; row < rows_; ++row)
-    scale_row(program, row);
+  if (block_size_ == three)
+    scale_threes(program);
+  else
+    for (int row = 0; row < rows_; ++row)
+      scale_row(program, row);
   view_ = {rows_, blocks_, start_.data(), block_.data(), g_.data(), pair_.data()};
 }
 
@@ -168,6 +171,28 @@ void LeastDistance::scale_masses(const QuadraticProgram& program) {
     for (int c = 0; c < std::min(three, block_size_ - three * part); ++c)
       root_[at(number)].v[c] =
           1.0 / std::sqrt(program.mass[at(block * block_size_ + three * part + c)]);
+  }
+}
+
+/// scale_row for all rows where nothing is padded or cut.
+void LeastDistance::scale_threes(const QuadraticProgram& program) {
+  const double* coefficients = program.coefficients.data();
+  const double* target = program.target.data();
+  for (std::size_t row = 0; row < h_.size(); ++row) {
+    double shift = 0.0;
+    double square = 0.0;
+    for (auto k = at(start_[row]); k < at(start_[row + 1]); ++k) {
+      const auto entry = at(source_[k]);
+      const double* J = coefficients + three * entry;
+      const double* f = target + three * at(entry_block_[entry]);
+      const double* root = root_[at(block_[k])].v;
+      const Quad g{{J[0] * root[0], J[1] * root[1], J[2] * root[2], 0.0}};
+      shift += J[0] * f[0] + J[1] * f[1] + J[2] * f[2];
+      square += g.v[0] * g.v[0] + g.v[1] * g.v[1] + g.v[2] * g.v[2];
+      g_[k] = g;
+    }
+    h_[row] = program.bound[row] - shift;
+    square_[row] = square;
   }
 }
 

@@ -65,6 +65,7 @@ class LeastDistance {
   void find_graph();
   void scale(const QuadraticProgram& program);
   void scale_masses(const QuadraticProgram& program);
+  void scale_threes(const QuadraticProgram& program);
   void scale_row(const QuadraticProgram& program, int row);
 
   const BlockKernels* kernels_;

@@ -6,7 +6,7 @@
 namespace wuerfel {
 namespace {
 
-constexpr double first_rho = 1e5;    ///< in units of 1 / |g|^2
+constexpr double first_rho = 1e6;    ///< in units of 1 / |g|^2
 constexpr double last_rho = 1e9;     ///< beyond it the dead zone would be too wide
 constexpr double dead_zone = 1e-14;  ///< times rho max|h|
 constexpr int most_outer_steps = 60;
@@ -105,6 +105,15 @@ void NewtonMethod::guess_sides(const LeastDistance& problem) {
     const double force_max = problem.force_max()[i];
     if (side_[i] != 0 && std::isinf(bound_of(problem, i, side_[i]))) side_[i] = 0;
     if (force_min == force_max || problem.square()[i] == 0.0) side_[i] = force_min == 0.0 ? -1 : 1;
+  }
+}
+
+void NewtonMethod::remember(const LeastDistance& problem, const std::vector<double>& multiplier) {
+  side_.resize(multiplier.size());
+  for (std::size_t i = 0; i < multiplier.size(); ++i) {
+    const bool low = multiplier[i] <= problem.force_min()[i];
+    const bool high = multiplier[i] >= problem.force_max()[i];
+    side_[i] = low ? -1 : high ? 1 : 0;
   }
 }
 

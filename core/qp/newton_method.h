@@ -32,6 +32,8 @@ class NewtonMethod {
                     double goal,
                     int most_factorisations);
   void forget() { side_.clear(); }
+  /// Makes the next run start from the sides of these multipliers, in the numbering of `problem`.
+  void remember(const LeastDistance& problem, const std::vector<double>& multiplier);
 
   [[nodiscard]] const std::vector<Quad>& y() const { return y_; }
   [[nodiscard]] const std::vector<double>& multiplier() const { return lambda_; }

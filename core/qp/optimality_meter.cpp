@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace wuerfel {
 namespace {
@@ -15,16 +16,25 @@ double relative(double v, double scale) {
   return scale > 0.0 ? v / scale : unbounded;
 }
 
-/// Calls visit(coefficient, coordinate) for every coefficient of a row.
-template <typename Visit>
-void for_row(const QuadraticProgram& p, int row, Visit&& visit) {
-  const int size = p.block_size;
-  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e) {
-    const double* J = p.coefficients.data() + at(e * size);
-    const int first = p.entry_block[at(e)] * size;
-    for (int c = 0; c < size; ++c)
-      visit(J[c], at(first + c));
+/// Calls visit(coefficient, coordinate) for every coefficient of a row of blocks of `size`.
+template <typename Size, typename Visit>
+void for_blocks(const QuadraticProgram& p, std::size_t row, Size size, Visit&& visit) {
+  const int last = p.row_start[row + 1];
+  for (int e = p.row_start[row]; e < last; ++e) {
+    const double* J = p.coefficients.data() + at(e) * size;
+    const std::size_t first = at(p.entry_block[at(e)]) * size;
+    for (std::size_t c = 0; c < size; ++c)
+      visit(J[c], first + c);
   }
+}
+
+/// The same; the usual size is known to the compiler.
+template <typename Visit>
+void for_row(const QuadraticProgram& p, std::size_t row, Visit&& visit) {
+  if (p.block_size == 3)
+    for_blocks(p, row, std::integral_constant<std::size_t, 3>{}, visit);
+  else
+    for_blocks(p, row, at(p.block_size), visit);
 }
 
 /// Zero if all values are numbers, else not a number.
@@ -81,7 +91,8 @@ const ResidualScales& OptimalityMeter::measure_scales(const QuadraticProgram& p)
   scales_.row_norm.resize(p.bound.size());
   for (int row = 0; row < p.rows(); ++row) {
     double square = 0.0;
-    for_row(p, row, [&](double J, std::size_t j) { square += (J * unit_[j]) * (J * unit_[j]); });
+    for_row(p, at(row),
+            [&](double J, std::size_t j) { square += (J * unit_[j]) * (J * unit_[j]); });
     scales_.row_norm[at(row)] = std::sqrt(square);
     largest = std::max(largest, scales_.row_norm[at(row)]);
   }
@@ -105,7 +116,7 @@ double OptimalityMeter::unbalanced_force(const QuadraticProgram& p,
   for (int row = 0; row < p.rows(); ++row) {
     double value = 0.0;
     const double lambda = multiplier[at(row)];
-    for_row(p, row, [&](double J, std::size_t j) {
+    for_row(p, at(row), [&](double J, std::size_t j) {
       value += J * x[j];
       force_[j] -= J * lambda;
     });

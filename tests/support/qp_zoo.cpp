@@ -12,7 +12,10 @@ constexpr int ground = -1;
 /// Collects bodies and contacts and writes them as a program.
 class Builder {
  public:
-  explicit Builder(const ZooOptions& options) : options_(options), dice_(options.seed) {
+  explicit Builder(const ZooOptions& options)
+      : options_(options),
+        dice_(options.seed),
+        departure_(options.seed + 7919 * (options.step + 1)) {
     program_.clear(3);
   }
 
