@@ -24,6 +24,8 @@ class AnimationWriter {
   /// The next frame; it is shown for 1/fps. Throws OutputError where the film cannot be written,
   /// and RenderError where the frame has another size than was said.
   virtual void add(const Image& frame) = 0;
+  /// The last frame once more, without converting or compressing it again. Only after `add`.
+  virtual void repeat() = 0;
   /// Completes the film, which only now gets its name. Throws OutputError.
   virtual void finish() = 0;
 };

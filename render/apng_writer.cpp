@@ -40,16 +40,17 @@ void ApngWriter::begin(const CompressedImage& first) {
   buffer_.insert(buffer_.end(), control.begin(), control.end());
 }
 
-/// The chunk before each frame: whole picture, shown for 1/fps, replacing what was there.
-void ApngWriter::add_control() {
+/// The chunk before each frame: its size (it lies in the upper left corner), shown for 1/fps,
+/// replacing what was there.
+void ApngWriter::add_control(int width, int height) {
   constexpr double denominator_limit = 65535.0;
   double numerator = 1000.0;
   if (settings_.fps * numerator > denominator_limit)
     numerator = std::floor(denominator_limit / settings_.fps);
   std::vector<std::uint8_t> data;
   append_u32(sequence_++, data);
-  append_u32(static_cast<std::uint32_t>(settings_.width), data);
-  append_u32(static_cast<std::uint32_t>(settings_.height), data);
+  append_u32(static_cast<std::uint32_t>(width), data);
+  append_u32(static_cast<std::uint32_t>(height), data);
   append_u32(0, data);
   append_u32(0, data);
   append_u16(static_cast<std::uint32_t>(numerator), data);
@@ -68,13 +69,25 @@ void ApngWriter::add(const Image& frame) {
   const CompressedImage compressed = compress_image(frame, PngEncoder::run_length, channels);
   buffer_.clear();
   if (frames_ == 0) begin(compressed);
-  add_control();
+  add_control(settings_.width, settings_.height);
+  add_data(compressed);
+  corner_ = compress_image(Image(1, 1, frame.at(0, 0)), PngEncoder::run_length, channels);
+}
+
+void ApngWriter::repeat() {
+  buffer_.clear();
+  add_control(1, 1);
+  add_data(corner_);
+}
+
+/// The picture data of the frame that the control chunk in the buffer announces; writes both.
+void ApngWriter::add_data(const CompressedImage& image) {
   if (frames_ == 0) {
-    append_chunk("IDAT", compressed.stream, buffer_);
+    append_chunk("IDAT", image.stream, buffer_);
   } else {
     std::vector<std::uint8_t> data;
     append_u32(sequence_++, data);
-    data.insert(data.end(), compressed.stream.begin(), compressed.stream.end());
+    data.insert(data.end(), image.stream.begin(), image.stream.end());
     append_chunk("fdAT", data, buffer_);
   }
   output_.write(buffer_);

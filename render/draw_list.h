@@ -16,6 +16,7 @@ namespace wuerfel {
 struct Pixel {
   float x = 0.0F;
   float y = 0.0F;
+  friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
 /// A posed rectangle. The outline lies inside, so that touching boxes don't overlap.
@@ -27,6 +28,7 @@ struct BoxShape {
   float diagonal_width = 0.0F;  ///< > 0: both diagonals in the outline's colour, inside the outline
   Color fill;
   Color outline;
+  friend bool operator==(const BoxShape&, const BoxShape&) = default;
 };
 
 /// A straight stroke.
@@ -36,6 +38,7 @@ struct SegmentShape {
   float half_width = 0.5F;
   float round = 1.0F;  ///< 1: round ends, 0: cut off at the end points
   Color color;
+  friend bool operator==(const SegmentShape&, const SegmentShape&) = default;
 };
 
 /// An arrow with a swept-back head; the shaft ends inside the head.
@@ -47,6 +50,7 @@ struct ArrowShape {
   float head_half_width = 4.0F;
   float grow = 0.0F;  ///< outline moved outwards by this many pixels: a halo
   Color color;
+  friend bool operator==(const ArrowShape&, const ArrowShape&) = default;
 };
 
 /// A disc with an outline inside.
@@ -56,6 +60,7 @@ struct DiscShape {
   float outline_width = 0.0F;
   Color fill;
   Color outline;
+  friend bool operator==(const DiscShape&, const DiscShape&) = default;
 };
 
 /// A triangle with an outline inside. Its corners may come in either order.
@@ -66,6 +71,7 @@ struct TriangleShape {
   float outline_width = 0.0F;
   Color fill;
   Color outline;
+  friend bool operator==(const TriangleShape&, const TriangleShape&) = default;
 };
 
 /// One line of text, drawn after all shapes.
@@ -76,6 +82,7 @@ struct TextShape {
   Color color;
   Color halo;  ///< around the letters
   float halo_width = 0.0F;
+  friend bool operator==(const TextShape&, const TextShape&) = default;
 };
 
 enum class ShapeKind { box, segment, arrow, disc, triangle };
@@ -85,6 +92,7 @@ struct ShapeRun {
   ShapeKind kind = ShapeKind::box;
   std::size_t first = 0;
   std::size_t count = 0;
+  friend bool operator==(const ShapeRun&, const ShapeRun&) = default;
 };
 
 struct DrawList {
@@ -98,6 +106,9 @@ struct DrawList {
   std::vector<TriangleShape> triangles;
   std::vector<ShapeRun> runs;  ///< painting order
   std::vector<TextShape> texts;
+
+  /// Equal lists are equal pictures.
+  friend bool operator==(const DrawList&, const DrawList&) = default;
 
   void add(const BoxShape& shape);
   void add(const SegmentShape& shape);

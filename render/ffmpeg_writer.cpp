@@ -33,7 +33,8 @@ std::string rate(double fps, char separator) {
 }
 
 void add_all(std::vector<std::string>& arguments, std::initializer_list<std::string_view> more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
+  for (const std::string_view argument : more)
+    arguments.emplace_back(argument);
 }
 
 void add_input(std::vector<std::string>& arguments, const AnimationSettings& settings, bool yuv) {
@@ -152,7 +153,7 @@ FfmpegWriter::FfmpegWriter(const std::string& path,
   const std::string header =
       fmt::format("YUV4MPEG2 W{} H{} F{} Ip A1:1 C420mpeg2 XCOLORRANGE=LIMITED\n",
                   even_size(settings.width), even_size(settings.height), rate(settings.fps, ':'));
-  buffer_.assign(header.begin(), header.end());
+  if (!ffmpeg_->send({reinterpret_cast<const std::uint8_t*>(header.data()), header.size()})) fail();
 }
 
 void FfmpegWriter::fail() {
@@ -167,19 +168,18 @@ void FfmpegWriter::add(const Image& frame) {
     throw RenderError(fmt::format("a frame of {}x{} pixels in a film of {}x{}", frame.width(),
                                   frame.height(), settings_.width, settings_.height));
   }
-  if (!yuv_) {
-    if (!ffmpeg_->send(frame.bytes())) fail();
-    return;
-  }
-  constexpr std::string_view marker = "FRAME\n";
-  buffer_.insert(buffer_.end(), marker.begin(), marker.end());
-  if (settings_.transparent) {
-    append_yuv420(on_white(frame), buffer_);
+  if (yuv_) {
+    constexpr std::string_view marker = "FRAME\n";
+    last_frame_.assign(marker.begin(), marker.end());
+    append_yuv420(settings_.transparent ? on_white(frame) : frame, last_frame_);
   } else {
-    append_yuv420(frame, buffer_);
+    last_frame_.assign(frame.bytes().begin(), frame.bytes().end());
   }
-  if (!ffmpeg_->send(buffer_)) fail();
-  buffer_.clear();
+  repeat();
+}
+
+void FfmpegWriter::repeat() {
+  if (!ffmpeg_->send(last_frame_)) fail();
 }
 
 void FfmpegWriter::finish() {

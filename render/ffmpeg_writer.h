@@ -20,6 +20,7 @@ class FfmpegWriter final : public AnimationWriter {
  public:
   FfmpegWriter(const std::string& path, FilmFormat format, const AnimationSettings& settings);
   void add(const Image& frame) override;
+  void repeat() override;
   void finish() override;
 
  private:
@@ -29,8 +30,7 @@ class FfmpegWriter final : public AnimationWriter {
   OutputFile output_;
   std::optional<OutputFile> palette_;  ///< a picture for ffmpeg to read, removed at the end
   std::optional<ChildProcess> ffmpeg_;
-  std::vector<std::uint8_t> buffer_;
-  Image on_white_;
+  std::vector<std::uint8_t> last_frame_;  ///< as it was sent
 };
 
 }  // namespace wuerfel

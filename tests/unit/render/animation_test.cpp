@@ -175,6 +175,22 @@ TEST_F(Film, EqualFramesGiveEqualBytes) {
   }
 }
 
+TEST_F(Film, RepeatedFrameIsShownAgain) {
+  for (const std::string name : {"a.mp4", "a.webm", "a.gif", "a.apng"}) {
+    const auto writer = make_animation_writer(path(name), settings);
+    writer->add(frame(0));
+    writer->add(frame(3));
+    writer->repeat();
+    writer->repeat();
+    writer->add(frame(6));
+    writer->finish();
+    EXPECT_EQ(probe(name, "nb_read_frames"), "5") << name;
+    const Color color = decoded(name, 3).at(16, 24);
+    EXPECT_NEAR(color.r, make_style(Theme::light).contact.r, 12) << name;
+    EXPECT_NEAR(decoded(name, 4).at(16, 24).g, 255, 12) << name;
+  }
+}
+
 TEST_F(Film, WithoutFinishNothingRemains) {
   for (const char* name : {"a.mp4", "a.webm", "a.gif", "a.apng"}) {
     const auto writer = make_animation_writer(path(name), settings);

@@ -1,0 +1,48 @@
+/// Film strip: several moments in one picture, for a report.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/font.h"
+#include "render/image.h"
+#include "render/style.h"
+
+namespace wuerfel {
+
+struct StripGrid {
+  int columns = 4;
+  int rows = 2;
+};
+
+/// "4x2". Throws RenderError.
+StripGrid parse_strip(std::string_view text);
+
+/// Where the frames of a strip lie in a picture of this size.
+struct StripLayout {
+  StripGrid grid;
+  int width = 0;  ///< px, of the whole
+  int height = 0;
+  int cell_width = 0;  ///< px, of one frame: draw them at this size, without a HUD
+  int cell_height = 0;
+  int gap = 0;
+  int caption_height = 0;
+  double unit = 1.0;  ///< text scale
+};
+/// Throws RenderError where the frames would be smaller than 16 pixels.
+StripLayout strip_layout(StripGrid grid, int width, int height, double scale);
+
+/// `count` times from 0 to `end`, both included, evenly spaced (one: the end).
+std::vector<double> strip_times(int count, double end);
+
+/// Frames row by row, each with its caption below (for instance its time), on the style's
+/// background.
+Image film_strip(std::span<const Image> frames,
+                 std::span<const std::string> captions,
+                 const StripLayout& layout,
+                 const Style& style,
+                 Font& font);
+
+}  // namespace wuerfel

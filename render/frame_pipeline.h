@@ -1,0 +1,97 @@
+/// FramePipeline: simulate | draw | encode and write, each in a thread of its own, joined by short
+/// queues.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/snapshot.h"
+#include "render/animation.h"
+#include "render/bounded_queue.h"
+#include "render/draw_list.h"
+#include "render/frame_options.h"
+#include "render/image.h"
+#include "render/png.h"
+#include "render/style.h"
+#include "render/view.h"
+
+namespace wuerfel {
+
+/// What is the same for all frames.
+struct PipelineSettings {
+  View view;
+  Style style;
+  FrameOptions options;
+};
+
+/// Where frames go. Called from the encoding thread, in the order of the frames.
+struct PipelineOutputs {
+  std::function<void(std::vector<std::uint8_t>)>
+      take_png;  ///< a whole PNG file per frame; empty: none wanted
+  std::vector<AnimationWriter*>
+      films;  ///< outlive the pipeline; finishing them is left to their owner
+};
+
+/// The thread that adds frames simulates; a second one draws and a third one encodes and writes.
+/// Memory holds a few frames whatever their number. A frame that looks like the one before is
+/// neither drawn nor compressed again.
+class FramePipeline {
+ public:
+  FramePipeline(PipelineSettings settings, PipelineOutputs outputs);
+  /// Drops what is under way if `finish` was not called.
+  ~FramePipeline();
+  FramePipeline(const FramePipeline&) = delete;
+  FramePipeline& operator=(const FramePipeline&) = delete;
+  FramePipeline(FramePipeline&&) = delete;
+  FramePipeline& operator=(FramePipeline&&) = delete;
+
+  /// The next frame, with the texts of its PNG. Waits while the queue is full. Throws what drawing
+  /// or writing an earlier frame threw.
+  void add(Snapshot snapshot, std::vector<PngText> texts = {});
+  /// Waits until all frames are written. Throws what went wrong; then some of the frames are
+  /// missing.
+  void finish();
+  /// Frames that were neither drawn nor compressed again.
+  long reused() const { return reused_; }
+
+ private:
+  struct Job {
+    Snapshot snapshot;
+    std::vector<PngText> texts;
+  };
+  struct Drawn {
+    std::optional<std::size_t> slot;  ///< of the picture; nothing: as before
+    std::vector<PngText> texts;
+  };
+
+  void draw_frames();
+  void encode_frames();
+  void write_frame(const Drawn& frame, const Image& image);
+  void run_guarded(void (FramePipeline::*work)());
+  void stop();
+  void rethrow_failure();
+
+  PipelineSettings settings_;
+  PipelineOutputs outputs_;
+  static constexpr std::size_t slots = 4;  ///< one being drawn, one being encoded, two waiting
+  std::array<Image, slots> images_;
+  BoundedQueue<Job> jobs_{4};
+  BoundedQueue<Drawn> drawn_{slots};
+  BoundedQueue<std::size_t> free_slots_{slots};
+  CompressedImage compressed_;
+  std::atomic<long> reused_ = 0;
+  std::mutex failure_mutex_;
+  std::exception_ptr failure_;
+  std::thread drawing_;
+  std::thread encoding_;
+};
+
+}  // namespace wuerfel
