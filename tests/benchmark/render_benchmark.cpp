@@ -1,0 +1,185 @@
+// What drawing and encoding cost, with states prepared beforehand. Build and run, on a machine that
+// does nothing else:
+//
+//   cmake --build build/release --target render_benchmark && build/release/tests/render_benchmark
+//
+// "clip": 100 cubes with rods, a third of them landed and pushed by arrows. "grid": 100 turned
+// cubes that fill the picture, each with rods and two arrows. 1920x1080. CPU is the time of the
+// whole process, all threads.
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/animation.h"
+#include "render/compose_frame.h"
+#include "render/draw_frame.h"
+#include "render/frame_pipeline.h"
+#include "render/png.h"
+
+namespace wuerfel {
+namespace {
+
+constexpr int width = 1920;
+constexpr int height = 1080;
+
+SnapshotBox cube(double x, double y, double angle, int color) {
+  SnapshotBox box;
+  box.center = Vec2(x, y);
+  box.angle = angle;
+  box.color_index = color;
+  return box;
+}
+
+/// Frame `k` of 100 cubes, the lowest 30 on the floor.
+Snapshot clip(int k) {
+  Snapshot snapshot;
+  snapshot.title = "clip";
+  snapshot.time = k / 60.0;
+  snapshot.revision = static_cast<std::uint64_t>(k) + 1;
+  snapshot.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY()});
+  for (int i = 0; i < 100; ++i) {
+    const bool landed = i < 30;
+    const int row = i / 15;
+    const double fall = landed ? 0.0 : 0.02 * (k % 60);
+    const double turn = landed ? 0.0 : 0.02 * k + 0.5 * i;
+    snapshot.boxes.push_back(
+        cube(1.2 * (i % 15), 0.5 + (landed ? row : 1.6 * row - 1.0 - fall), turn, i));
+    if (!landed) continue;
+    for (const double side : {-0.5, 0.5}) {
+      snapshot.forces.push_back({snapshot.boxes.back().center + Vec2(side, -0.5),
+                                 Vec2(0.0, 10.0 - 4.0 * row), ForceKind::contact, i});
+    }
+  }
+  return snapshot;
+}
+
+/// `count` turned cubes that fill the picture, each with two arrows.
+Snapshot grid(int count) {
+  Snapshot snapshot;
+  const int columns = static_cast<int>(std::lround(std::sqrt(count * 16.0 / 9.0)));
+  for (int i = 0; i < count; ++i) {
+    const int row = i / columns;
+    snapshot.boxes.push_back(cube(1.3 * (i % columns), 1.3 * row, 0.3 * i, i));
+    for (const double side : {-0.3, 0.3}) {
+      snapshot.forces.push_back(
+          {snapshot.boxes.back().center + Vec2(side, -0.3), Vec2(0.0, 8.0), ForceKind::contact, i});
+    }
+  }
+  return snapshot;
+}
+
+FrameOptions options_with(bool hud) {
+  FrameOptions options;
+  options.layers = {Layer::cubes, Layer::rods, Layer::forces};
+  if (hud) options.layers.insert(Layer::hud);
+  options.force_scale.metres_per_newton = 0.1;
+  return options;
+}
+
+View view_of(const Snapshot& snapshot, const FrameOptions& options) {
+  Bounds bounds;
+  bounds.include(snapshot, options.force_scale);
+  return fit_view(bounds, width, height,
+                  frame_insets(make_style(Theme::light), options, width, height));
+}
+
+Renderer& shared_renderer() {
+  static const std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
+  return *renderer;
+}
+
+void draw(benchmark::State& state, const Snapshot& snapshot) {
+  const FrameOptions options = options_with(true);
+  const View view = view_of(snapshot, options);
+  const Style style = make_style(Theme::light);
+  Image image;
+  for (auto _ : state)
+    draw_frame(shared_renderer(), snapshot, view, style, options, image);
+}
+void draw_clip(benchmark::State& state) { draw(state, clip(30)); }
+void draw_grid(benchmark::State& state) { draw(state, grid(static_cast<int>(state.range(0)))); }
+
+void compose(benchmark::State& state) {
+  const Snapshot snapshot = grid(static_cast<int>(state.range(0)));
+  const FrameOptions options = options_with(true);
+  const View view = view_of(snapshot, options);
+  const Style style = make_style(Theme::light);
+  Font font;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(compose_frame(snapshot, view, style, options, font));
+}
+
+void png(benchmark::State& state, PngEncoder encoder, const Snapshot& snapshot) {
+  const FrameOptions options = options_with(true);
+  Image image;
+  draw_frame(shared_renderer(), snapshot, view_of(snapshot, options), make_style(Theme::light),
+             options, image);
+  std::size_t bytes = 0;
+  for (auto _ : state)
+    bytes = compress_image(image, encoder).stream.size();
+  state.counters["kB"] = static_cast<double>(bytes) / 1000.0;
+}
+void png_own_clip(benchmark::State& state) { png(state, PngEncoder::run_length, clip(30)); }
+void png_own_grid(benchmark::State& state) { png(state, PngEncoder::run_length, grid(100)); }
+void png_libpng_clip(benchmark::State& state) { png(state, PngEncoder::libpng, clip(30)); }
+
+/// Frames per second from snapshots to PNG files in memory and, where asked for, to a film.
+void pipeline(benchmark::State& state, const std::string& film, bool moving) {
+  const FrameOptions options = options_with(false);
+  constexpr int frames = 120;
+  std::vector<Snapshot> snapshots;
+  for (int k = 0; k < frames; ++k)
+    snapshots.push_back(clip(moving ? k : 0));
+  AnimationSettings settings;
+  settings.width = width;
+  settings.height = height;
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    PipelineOutputs outputs;
+    std::unique_ptr<AnimationWriter> writer;
+    if (film.empty()) {
+      outputs.take_png = [&bytes](const std::vector<std::uint8_t>& file) { bytes += file.size(); };
+    } else {
+      writer = make_animation_writer(film, settings);
+      outputs.films.push_back(writer.get());
+    }
+    FramePipeline stages({view_of(snapshots.front(), options), make_style(Theme::light), options},
+                         outputs);
+    for (const Snapshot& snapshot : snapshots)
+      stages.add(snapshot);
+    stages.finish();
+    if (writer) writer->finish();
+  }
+  state.counters["frames/s"] = benchmark::Counter(static_cast<double>(frames * state.iterations()),
+                                                  benchmark::Counter::kIsRate);
+}
+void pipeline_png(benchmark::State& state) { pipeline(state, "", true); }
+void pipeline_unchanged(benchmark::State& state) { pipeline(state, "", false); }
+void pipeline_mp4(benchmark::State& state) { pipeline(state, "render_benchmark.mp4", true); }
+
+}  // namespace
+
+BENCHMARK(draw_clip)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(draw_grid)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK(compose)->Arg(100)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK(png_own_clip)->Unit(benchmark::kMillisecond);
+BENCHMARK(png_own_grid)->Unit(benchmark::kMillisecond);
+BENCHMARK(png_libpng_clip)->Unit(benchmark::kMillisecond);
+BENCHMARK(pipeline_png)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(pipeline_unchanged)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK(pipeline_mp4)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+
+}  // namespace wuerfel
+
+BENCHMARK_MAIN();
