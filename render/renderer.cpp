@@ -110,7 +110,8 @@ void undo_premultiplication(Image& image) {
 
 class Renderer::Pipeline {
  public:
-  Pipeline(const GlFunctions& gl, ShapeKind kind) : gl_(gl), stride_(layout_of(kind).stride) {
+  Pipeline(const GlFunctions& gl, ShapeKind kind)
+      : gl_(gl), stride_(layout_of(kind).stride), vertices_(kind == ShapeKind::arrow ? 8 : 4) {
     const ShaderSource source = embedded_shader(kind);
     program_ = gl_.CreateProgram();
     for (const GLuint shader : {compile(gl_, GL_VERTEX_SHADER, source.vertex),
@@ -147,7 +148,7 @@ class Renderer::Pipeline {
     gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_);
     gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride_), shapes,
                    GL_STREAM_DRAW);
-    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
+    gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, vertices_, static_cast<GLsizei>(count));
   }
 
  private:
@@ -173,6 +174,7 @@ class Renderer::Pipeline {
 
   const GlFunctions& gl_;
   std::size_t stride_;
+  GLsizei vertices_;  ///< of a strip around one shape
   GLuint program_ = 0;
   GLuint vertex_array_ = 0;
   GLuint buffer_ = 0;

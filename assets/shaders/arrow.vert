@@ -1,5 +1,6 @@
 #version 330 core
-// One quad around an arrow. Pixels, y down.
+// Two quads around an arrow, a narrow one for the shaft and a wide one for the head. Pixels, y down; the fragment
+// shader's y is up.
 layout(location = 0) in vec2 tail;
 layout(location = 1) in vec2 tip;
 layout(location = 2) in vec4 shape;  // half width, head length, head half width, grow
@@ -7,24 +8,34 @@ layout(location = 3) in vec4 stroke;
 uniform vec2 picture;
 flat out vec2 f_tail;
 flat out vec2 f_axis;
-flat out float f_length;
-flat out vec4 f_shape;
+flat out vec3 f_shaft;  // end of the shaft, its half width, both with half a pixel of coverage; half a pixel and growth
+flat out vec3 f_slant;  // signed distance from the head's front edge: dot((u, v), xy) + z
+flat out vec3 f_back;   // and from its swept-back edge
 flat out vec4 f_color;
 
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
   vec2 span = tip - tail;
   float reach = length(span);
   vec2 axis = span / max(reach, 1e-6);
-  // The grown head's tip runs ahead of the tip itself by less than three times the growth.
-  float margin = 3.0 * shape.w + 1.0;
-  vec2 local = vec2(mix(-margin, reach + margin, corner.x),
-                    mix(-1.0, 1.0, corner.y) * (max(shape.x, shape.z) + margin));
+  float wing = shape.z;
+  float head = shape.y;
+  float notch = 0.25 * head;
+  float base = reach - head;
+  float grow = shape.w;
+  // The grown head's corners run ahead of the head by up to 3.2 times the growth.
+  float margin = 3.5 * grow + 1.0;
+  // Vertices 0..3: shaft, 3 and 4 repeat to change the width, 4..7: head.
+  bool in_head = gl_VertexID > 3;
+  float from = in_head ? base - margin : -grow - 1.0;
+  float to = in_head ? reach + margin : base - margin;
+  float side = in_head ? max(shape.x, wing) + margin : shape.x + grow + 1.0;
+  vec2 local = vec2((gl_VertexID & 2) == 0 ? min(from, to) : to, (gl_VertexID & 1) == 0 ? -side : side);
   vec2 pixel = tail + local.x * axis + local.y * vec2(-axis.y, axis.x);
   gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 1.0 - 2.0 * pixel.y / picture.y, 0.0, 1.0);
-  f_tail = tail;
-  f_axis = axis;
-  f_length = reach;
-  f_shape = shape;
+  f_tail = vec2(tail.x, picture.y - tail.y);
+  f_axis = vec2(axis.x, -axis.y);
+  f_shaft = vec3(base + notch, shape.x, 0.5 + grow);
+  f_slant = vec3(wing, head, -reach * wing) / length(vec2(wing, head));
+  f_back = vec3(-wing, -notch, (base + notch) * wing) / length(vec2(wing, notch));
   f_color = vec4(stroke.rgb * stroke.a, stroke.a);
 }
