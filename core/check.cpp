@@ -63,7 +63,7 @@ std::string_view to_string(Verdict verdict) {
 
 Check check(const Scene& scene, const MotionSettings& settings) {
   const System system = make_system(scene);
-  Moment moment = first_moment(scene, system);
+  Moment moment = first_moment(scene);
   Bookkeeping book;
   Stepper stepper(system, settings);
   stepper.arrive(moment, book);

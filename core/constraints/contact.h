@@ -10,9 +10,6 @@
 
 namespace wuerfel {
 
-/// Touching means |gap| <= this share of the smaller side (design, "Which sides are active").
-inline constexpr double touch_tolerance = 1e-9;
-
 /// The share of max(sqrt(g side), |v|) up to which the gap's velocity counts as zero.
 inline constexpr double rate_tolerance = 1e-9;
 
@@ -71,8 +68,8 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
 /// Finds contacts. Keeps its memory, nothing else, from call to call.
 class ContactFinder {
  public:
-  /// All contacts with gap <= touch_tolerance times the smaller side, in an order that depends on
-  /// the state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
+  /// All contacts with gap <= touching_tolerance times the smaller side, in an order that depends
+  /// on the state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
   /// manifold: design, section 1.
   void find(const System& system, const State& state, std::vector<Contact>& contacts);
 

@@ -6,11 +6,10 @@
 
 #include "core/geometry/box.h"
 #include "core/model/state.h"
+#include "core/scene/overlap.h"
 #include "core/scene/scene.h"
 
 namespace wuerfel {
-
-enum class BodyKind { cube, fixed, plane };
 
 struct Body {
   std::string name;

@@ -77,6 +77,14 @@ ForceBalance force_balance(const QuadraticProgram& p,
     balance.upper[k] = p.force_max[at(row)];
     if (!weight.empty()) balance.weight[k] = weight[at(row)];
   }
+  // In units of the root of the mass heavy bodies do not decide the rank. (Bringing rows to unit
+  // length instead would weigh a moment equation whose lever is rounding as much as the balance of
+  // forces.)
+  for (Index j = 0; j < balance.r.size(); ++j) {
+    const double unit = 1.0 / std::sqrt(p.mass[at(j)]);
+    balance.r[j] *= unit;
+    balance.A.row(j) *= unit;
+  }
   return balance;
 }
 
@@ -89,20 +97,16 @@ struct SolutionSet {
 
 SolutionSet solution_set(const MatrixXd& A, const VectorXd& r, double rank_tolerance) {
   if (A.cols() == 0) return {VectorXd(0), MatrixXd(0, 0)};
-  // Rows of unknowns are brought to unit length: heavy bodies do not decide the rank.
-  VectorXd scale = A.rowwise().norm();
-  scale = scale.unaryExpr([](double s) { return s > 0.0 ? 1.0 / s : 0.0; });
-  const MatrixXd S = scale.asDiagonal() * A;
-  const Eigen::BDCSVD<MatrixXd> svd(S, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const Eigen::BDCSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
   Index rank = 0;
   while (rank < sigma.size() && sigma[rank] > rank_tolerance * sigma[0])
     ++rank;
-  const VectorXd part = (svd.matrixU().leftCols(rank).transpose() * (scale.asDiagonal() * r))
-                            .cwiseQuotient(sigma.head(rank));
+  const VectorXd part =
+      (svd.matrixU().leftCols(rank).transpose() * r).cwiseQuotient(sigma.head(rank));
   SolutionSet set{svd.matrixV().leftCols(rank) * part, svd.matrixV().rightCols(A.cols() - rank)};
   // One step of refinement.
-  const VectorXd rest = scale.asDiagonal() * (r - A * set.particular);
+  const VectorXd rest = r - A * set.particular;
   set.particular +=
       svd.matrixV().leftCols(rank)
       * (svd.matrixU().leftCols(rank).transpose() * rest).cwiseQuotient(sigma.head(rank));

@@ -13,7 +13,7 @@ namespace {
 
 struct SweptBox {
   Box box;
-  Bounds bounds;
+  BoundingBox bounds;
   BodyRef body;
 };
 
@@ -45,7 +45,7 @@ std::vector<SweptBox> swept_boxes(const Scene& scene) {
 
 /// Sorts along the axis on which the boxes spread more and returns it.
 int sort_for_sweep(std::vector<SweptBox>& boxes) {
-  Bounds all = boxes.front().bounds;
+  BoundingBox all = boxes.front().bounds;
   for (const SweptBox& swept : boxes) {
     all.low = all.low.cwiseMin(swept.bounds.low);
     all.high = all.high.cwiseMax(swept.bounds.high);

@@ -8,6 +8,6 @@ namespace wuerfel {
 
 /// The state of the scene at t = 0. Throws SceneError where bodies overlap by more than counts as
 /// touching.
-Moment first_moment(const Scene& scene, const System& system);
+Moment first_moment(const Scene& scene);
 
 }  // namespace wuerfel

@@ -38,7 +38,7 @@ struct Simulation::Impl {
         system(make_system(s)),
         stepper(system, settings),
         looker(system, settings) {
-    grid = first_moment(scene, system);
+    grid = first_moment(scene);
     book.audit.energy_start = energy(system, grid.state);
     start = grid.state;
     stepper.arrive(grid, book);

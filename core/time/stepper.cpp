@@ -14,7 +14,7 @@ constexpr double rest_acceleration = 1e-10;
 /// A contact carries load where its force exceeds this share of the island's largest.
 constexpr double pressed_share = 1e-9;
 
-/// Gaps are corrected to this share of the smaller side: well inside touch_tolerance, well above
+/// Gaps are corrected to this share of the smaller side: well inside touching_tolerance, well above
 /// rounding.
 constexpr double corrected_gap = 1e-11;
 constexpr int most_corrections = 12;
