@@ -20,7 +20,8 @@ SnapshotRequest snapshot_request(Layers layers) {
           .rods = layers.has(Layer::rods) || layers.has(Layer::rod_forces),
           .rod_forces = layers.has(Layer::rod_forces),
           .points = layers.has(Layer::points),
-          .contacts = layers.has(Layer::contacts) || layers.has(Layer::normals)};
+          .contacts = layers.has(Layer::contacts) || layers.has(Layer::normals),
+          .sides = layers.has(Layer::sides)};
 }
 
 Painter::Painter(const Recording& film, const PictureOptions& options)

@@ -39,8 +39,9 @@ struct SnapshotForce {
   Vec2 point = Vec2::Zero();  ///< m
   Vec2 force = Vec2::Zero();  ///< N, acts on the body that it points into
   ForceKind kind = ForceKind::contact;
-  int body = -1;  ///< index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a little towards
-                  ///< it, so that forces on neighbours at one point don't hide each other
+  int body =
+      -1;  ///< index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a
+           ///< little towards it, so that forces on neighbours at one point don't hide each other
 };
 
 /// A rod (Stange) of a cube with its tension.

@@ -26,7 +26,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string suggestion(std::string_view mistyped, std::span<const std::string_view> known) {
+std::string nearest_name_hint(std::string_view mistyped, std::span<const std::string_view> known) {
   const auto nearest = std::ranges::min_element(
       known, {}, [mistyped](std::string_view name) { return edit_distance(mistyped, name); });
   if (nearest != known.end() && edit_distance(mistyped, *nearest) <= (nearest->size() + 2) / 3) {

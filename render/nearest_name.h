@@ -10,6 +10,6 @@ namespace wuerfel {
 /// ", did you mean 'forces'?" if a name is near enough (edit distance at most a third of its
 /// length), and else
 /// "; known: a, b, c".
-std::string suggestion(std::string_view mistyped, std::span<const std::string_view> known);
+std::string nearest_name_hint(std::string_view mistyped, std::span<const std::string_view> known);
 
 }  // namespace wuerfel
