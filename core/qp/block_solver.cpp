@@ -65,8 +65,10 @@ void BlockSolver::run(const QuadraticProgram& program,
     const int most = problem_.blocks() <= small_problem || knows_sides_ ? most_newton_factorisations
                                                                         : few_newton_factorisations;
     since_newton_ = 0;
-    knows_sides_ = run_newton(program, scales, most, result);
-    newton_won_ = knows_sides_;
+    // A stalled answer may pass, but nearly degenerate programs turn it into a much larger error of
+    // x.
+    knows_sides_ = run_newton(program, scales, most, result) && result.residual.worst() <= goal();
+    newton_won_ = knows_sides_ || result.status == QpStatus::infeasible;
     if (newton_won_) return;
   }
   run_interior_point(program, scales, result);
@@ -98,7 +100,7 @@ bool BlockSolver::run_newton(const QuadraticProgram& program,
                              int most,
                              QpResult& result) {
   const MethodOutcome outcome = newton_.run(problem_, scales, goal(), most);
-  return take(program, scales, outcome, newton_.y(), newton_.multiplier(), result);
+  return take(program, scales, outcome, goal(), newton_.y(), newton_.multiplier(), result);
 }
 
 /// Warm as long as that is faster than cold.
@@ -109,8 +111,8 @@ void BlockSolver::run_interior_point(const QuadraticProgram& program,
     const MethodOutcome outcome = interior_point_.run(
         problem_, scales, interior_goal_share * settings_.tolerance, warm, proximal);
     (warm ? warm_factorisations_ : cold_factorisations_) = outcome.factorisations;
-    return take(program, scales, outcome, interior_point_.y(), interior_point_.multiplier(),
-                result);
+    return take(program, scales, outcome, best_goal, interior_point_.y(),
+                interior_point_.multiplier(), result);
   };
   if (interior_point_.can_start_warm(problem_) && warm_factorisations_ < cold_factorisations_) {
     if (attempt(true, proximal_terms.front())) return;
@@ -179,6 +181,7 @@ double BlockSolver::goal() const { return std::max(goal_share * settings_.tolera
 bool BlockSolver::take(const QuadraticProgram& program,
                        const ResidualScales& scales,
                        const MethodOutcome& outcome,
+                       double enough,
                        const std::vector<Quad>& y,
                        const std::vector<double>& multiplier,
                        QpResult& result) {
@@ -189,7 +192,7 @@ bool BlockSolver::take(const QuadraticProgram& program,
   }
   problem_.read(program, y, x_);
   QpResidual residual = meter_.measure(program, x_, multiplier);
-  if (residual.worst() > goal() && residual.worst() < worth_settling)
+  if (residual.worst() < worth_settling && residual.worst() > enough)
     residual = settle(program, scales, multiplier, residual, result.iterations);
   if (residual.worst() < result.residual.worst()) {
     result.residual = residual;

@@ -42,6 +42,7 @@ class BlockSolver final : public QpSolver {
   bool take(const QuadraticProgram& program,
             const ResidualScales& scales,
             const MethodOutcome& outcome,
+            double enough,
             const std::vector<Quad>& y,
             const std::vector<double>& multiplier,
             QpResult& result);

@@ -9,6 +9,7 @@ namespace {
 constexpr double first_rho = 1e6;    ///< in units of 1 / |g|^2
 constexpr double last_rho = 1e9;     ///< beyond it the dead zone would be too wide
 constexpr double dead_zone = 1e-14;  ///< times rho max|h|
+constexpr double hard_share = 0.02;
 constexpr int most_outer_steps = 60;
 
 double dot(const std::vector<Quad>& a, const std::vector<Quad>& b) {
@@ -52,10 +53,9 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
     const bool slow = worst > 0.1 * outcome.worst;
     outcome.worst = worst;
     outcome.factorisations = factorisations_;
-    if (worst <= goal) {
-      outcome.end = MethodEnd::reached;
-      break;
-    }
+    // Where the sides were hard to find the program is nearly degenerate and x is less exact than
+    // its residual.
+    if (worst <= (factorisations_ <= 2 ? goal : hard_share * goal)) break;
     if (outer >= 2 && slow) {
       for (std::size_t i = 0; i < force_.size(); ++i)
         raw_[i] = lambda_[i] - force_[i];
@@ -70,7 +70,40 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
       factorised_ = false;
     }
   }
+  if (outcome.worst <= goal && outcome.end == MethodEnd::stalled) outcome.end = MethodEnd::reached;
   return outcome;
+}
+
+/// With w = (h - G y) pulled back, the same phi: its minimum has lambda = clamp(rho G w), y =
+/// target - w = G' lambda. Kept as w, since rho would blow up the rounding of a difference.
+bool NewtonMethod::least_norm(LeastDistance& problem,
+                              const std::vector<Quad>& target,
+                              double stiffness,
+                              double largest_force,
+                              int most_factorisations) {
+  start(problem);
+  rho_ *= stiffness;
+  dead_ = dead_zone * largest_force;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    lambda_[i] = 0.0;
+    force_[i] = side_[i] == 0 ? 0.0 : bound_of(problem, i, side_[i]);
+    weight_[i] = side_[i] == 0 ? rho_ : 0.0;
+  }
+  problem.apply_transposed(force_.data(), rhs_.data());
+  d_ = target;
+  add(-1.0, rhs_, d_);
+  problem.factorise(weight_.data());
+  factorised_ = whole_step_ = true;
+  ++factorisations_;
+  problem.solve(d_.data());
+  problem.apply(d_.data(), rest_.data());
+  y_ = target;
+  add(-1.0, d_, y_);
+  while (!inner_step(problem))
+    if (factorisations_ >= most_factorisations) return false;
+  lambda_ = force_;
+  problem.apply_transposed(lambda_.data(), y_.data());
+  return true;
 }
 
 void NewtonMethod::start(const LeastDistance& problem) {

@@ -35,6 +35,15 @@ class NewtonMethod {
   /// Makes the next run start from the sides of these multipliers, in the numbering of `problem`.
   void remember(const LeastDistance& problem, const std::vector<double>& multiplier);
 
+  /// The least norm of multipliers, penalised: minimises 1/2 |lambda|^2 over the multipliers with
+  /// G' lambda = target, up to 1/rho. Leaves lambda and y = G' lambda. False if
+  /// `most_factorisations` were not enough.
+  bool least_norm(LeastDistance& problem,
+                  const std::vector<Quad>& target,
+                  double stiffness,
+                  double largest_force,
+                  int most_factorisations);
+
   [[nodiscard]] const std::vector<Quad>& y() const { return y_; }
   [[nodiscard]] const std::vector<double>& multiplier() const { return lambda_; }
 
