@@ -61,20 +61,26 @@ DistanceSymbol distance_symbol(std::size_t distance) {
 /// Bits from the lowest place on, as deflate packs them.
 class BitWriter {
  public:
-  explicit BitWriter(std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  explicit BitWriter(std::vector<std::uint8_t>& bytes) : bytes_(bytes), end_(bytes.size()) {}
+
+  /// Room for the bits that follow; without it `put` writes beyond the end.
+  void reserve_bits(std::size_t bits) { bytes_.resize(end_ + bits / 8 + sizeof waiting_ + 1); }
+  /// At most 32 bits at once.
   void put(std::uint64_t bits, unsigned count) {
     waiting_ |= bits << filled_;
     filled_ += count;
-    if (filled_ >= 32) {
-      std::array<std::uint8_t, 4> four{};
-      for (unsigned i = 0; i < 4; ++i)
-        four.at(i) = static_cast<std::uint8_t>(waiting_ >> (8 * i));
-      bytes_.insert(bytes_.end(), four.begin(), four.end());
-      waiting_ >>= 32U;
-      filled_ -= 32;
-    }
+    if (filled_ < 32) return;
+    const std::uint64_t whole = waiting_;
+    std::uint8_t* target = bytes_.data() + end_;
+    for (unsigned i = 0; i < 4; ++i)
+      target[i] = static_cast<std::uint8_t>(whole >> (8 * i));
+    end_ += 4;
+    waiting_ >>= 32U;
+    filled_ -= 32;
   }
-  void align() {
+  /// Fills the last byte and gives back the room that was not needed.
+  void finish() {
+    bytes_.resize(end_);
     for (; filled_ > 0; filled_ = filled_ > 8 ? filled_ - 8 : 0, waiting_ >>= 8U) {
       bytes_.push_back(static_cast<std::uint8_t>(waiting_));
     }
@@ -82,6 +88,7 @@ class BitWriter {
 
  private:
   std::vector<std::uint8_t>& bytes_;
+  std::size_t end_;
   std::uint64_t waiting_ = 0;
   unsigned filled_ = 0;
 };
@@ -143,7 +150,7 @@ class BlockWriter {
   }
   void finish() {
     flush(true);
-    bits_.align();
+    bits_.finish();
   }
 
  private:
@@ -185,15 +192,17 @@ void BlockWriter::flush(bool last) {
   letter_counts[end_of_block] = 1;
   for (const std::uint16_t token : tokens_) {
     if (token < left_offset) {
-      ++letter_counts.at(token);
+      ++letter_counts[token];
       continue;
     }
     const bool above = token >= above_offset;
-    ++letter_counts.at(length_symbols.at(token - (above ? above_offset : left_offset)).symbol);
-    ++distance_counts.at(above ? row_.symbol : pixel_.symbol);
+    ++letter_counts[length_symbols[token - (above ? above_offset : left_offset)].symbol];
+    ++distance_counts[above ? row_.symbol : pixel_.symbol];
   }
   const HuffmanCode letters = huffman_code(letter_counts, 15);
   const HuffmanCode distances = huffman_code(distance_counts, 15);
+  // A match takes at most 48 bits, a literal 15; the codes' lengths are a few thousand.
+  bits_.reserve_bits(48 * tokens_.size() + 8192);
   bits_.put(last ? 1 : 0, 1);
   bits_.put(2, 2);
   write_codes(letters, distances);

@@ -130,6 +130,7 @@ void pipeline(benchmark::State& state, const std::string& film, bool moving) {
   const FrameOptions options = options_with(false);
   constexpr int frames = 120;
   std::vector<Snapshot> snapshots;
+  snapshots.reserve(frames);
   for (int k = 0; k < frames; ++k)
     snapshots.push_back(clip(moving ? k : 0));
   AnimationSettings settings;

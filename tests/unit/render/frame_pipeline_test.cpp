@@ -49,6 +49,12 @@ class Pipeline : public ::testing::Test {
     return snapshot;
   }
 
+  static void add_thousand(FramePipeline& pipeline) {
+    for (int i = 0; i < 1000; ++i)
+      pipeline.add(moved(i));
+    pipeline.finish();
+  }
+
   PipelineSettings settings{
       {}, make_style(Theme::light), testing::literal_options({Layer::cubes, Layer::forces})};
 };
@@ -111,25 +117,13 @@ TEST_F(Pipeline, DrawsAgainWhenTheTimeIsShown) {
 TEST_F(Pipeline, FailureOfAnOutputReachesTheCaller) {
   CountingFilm film(5);
   FramePipeline pipeline(settings, {{}, {&film}});
-  EXPECT_THROW(
-      {
-        for (int i = 0; i < 1000; ++i)
-          pipeline.add(moved(i));
-        pipeline.finish();
-      },
-      OutputError);
+  EXPECT_THROW(add_thousand(pipeline), OutputError);
 }
 
 TEST_F(Pipeline, FailureOfDrawingReachesTheCaller) {
   settings.view.width = 0;
   FramePipeline pipeline(settings, {});
-  EXPECT_THROW(
-      {
-        for (int i = 0; i < 1000; ++i)
-          pipeline.add(moved(i));
-        pipeline.finish();
-      },
-      RenderError);
+  EXPECT_THROW(add_thousand(pipeline), RenderError);
 }
 
 TEST_F(Pipeline, ThatIsLeftInTheMiddleStops) {
