@@ -47,11 +47,28 @@ void BlockSolver::solve(const QuadraticProgram& program, QpResult& result) {
   }
   const ResidualScales& scales = meter_.measure_scales(program);
   problem_.prepare(program);
+  if (has_impossible_row(scales)) {
+    result.status = QpStatus::infeasible;
+    result.residual.primal = unbounded;
+    return;
+  }
   result.residual.primal = unbounded;
   run(program, scales, result);
   if (result.status == QpStatus::infeasible) return;
   result.status =
       result.residual.worst() <= settings_.tolerance ? QpStatus::optimal : QpStatus::inaccurate;
+}
+
+/// A row without coefficients can only be true or false.
+bool BlockSolver::has_impossible_row(const ResidualScales& scales) const {
+  for (std::size_t i = 0; i < scales.row_norm.size(); ++i) {
+    if (problem_.square()[i] > 0.0) continue;
+    const double h = problem_.h()[i];
+    const double allowed = settings_.tolerance * scales.row_norm[i] * scales.acceleration;
+    if (h > allowed && problem_.force_max()[i] == unbounded) return true;
+    if (h < -allowed && problem_.force_min()[i] == -unbounded) return true;
+  }
+  return false;
 }
 
 void BlockSolver::run(const QuadraticProgram& program,

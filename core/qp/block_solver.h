@@ -23,6 +23,7 @@ class BlockSolver final : public QpSolver {
   void forget() override;
 
  private:
+  [[nodiscard]] bool has_impossible_row(const ResidualScales& scales) const;
   void run(const QuadraticProgram& program, const ResidualScales& scales, QpResult& result);
   bool newton_is_due();
   bool run_newton(const QuadraticProgram& program,

@@ -248,25 +248,59 @@ std::vector<double> onto_tight_rows(const QuadraticProgram& program,
 /// Residual below which the rows that look tight are worth a try.
 constexpr double worth_polishing = 0.1;
 
+/// How wrong the accelerations of single bodies may be, the light ones among them, for which the
+/// residual has no eye: the unbalance as an acceleration, and per row the violation or the smaller
+/// of its slack and what its own force would move.
+double local_error(const QuadraticProgram& p, const ScaledProgram& form, const QpResult& result) {
+  std::vector<double> unbalance(result.x.size());
+  for (std::size_t j = 0; j < result.x.size(); ++j)
+    unbalance[j] = result.x[j] - p.target[j];
+  double error = 0.0;
+  for (int row = 0; row < p.rows(); ++row) {
+    const SparseRow& g = form.g[at(row)];
+    const double lambda = result.multiplier[at(row)];
+    double slack = -p.bound[at(row)];
+    double push = 0.0;
+    double size = 0.0;
+    for (std::size_t e = 0; e < g.columns.size(); ++e) {
+      const std::size_t j = at(g.columns[e]);
+      const double J = g.values[e] * form.norm[at(row)] * std::sqrt(p.mass[j]);
+      slack += J * result.x[j];
+      push += J * J / p.mass[j];
+      size = std::max(size, std::abs(J));
+      unbalance[j] -= J * lambda / p.mass[j];
+    }
+    const double distance =
+        slack > 0.0 ? lambda - p.force_min[at(row)] : p.force_max[at(row)] - lambda;
+    if (size > 0.0 && distance != 0.0)
+      error = std::max(error, std::min(std::abs(slack), distance * push) / size);
+  }
+  for (const double u : unbalance)
+    error = std::max(error, std::abs(u));
+  return error;
+}
+
 /// Cubic in the number of unknowns, so for small programs only.
 constexpr int largest_to_polish = 400;
 
 /// Keeps the better of `result` and its projections onto the rows that look tight.
 void polish(const QuadraticProgram& program, const ScaledProgram& form, QpResult& result) {
-  constexpr double good_enough = 1e-12;
   if (program.unknowns() > largest_to_polish || program.rows() > 2 * largest_to_polish) return;
+  double error = local_error(program, form, result);
   QpResult candidate;
   for (const double tight : {1e-6, 1e-8}) {
-    if (result.residual.worst() <= good_enough) return;
     candidate.x = onto_tight_rows(program, form, result, tight);
     candidate.multiplier =
         least_norm_multipliers(program, candidate.x, {}, {.tight = tight}).multiplier;
     candidate.residual = optimality_residual(program, candidate.x, candidate.multiplier);
-    if (candidate.residual.worst() < result.residual.worst()) {
-      result.x = candidate.x;
-      result.multiplier = candidate.multiplier;
-      result.residual = candidate.residual;
-    }
+    const double candidate_error = local_error(program, form, candidate);
+      fprintf(stderr, "tight %g raw err %g res %g cand err %g res %g misfit\n", tight, error,
+              result.residual.worst(), candidate_error, candidate.residual.worst());
+    if (candidate_error >= error || candidate.residual.worst() > 1e-10) continue;
+    error = candidate_error;
+    result.x = candidate.x;
+    result.multiplier = candidate.multiplier;
+    result.residual = candidate.residual;
   }
 }
 

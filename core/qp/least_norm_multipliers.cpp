@@ -77,11 +77,12 @@ ForceBalance force_balance(const QuadraticProgram& p,
     balance.upper[k] = p.force_max[at(row)];
     if (!weight.empty()) balance.weight[k] = weight[at(row)];
   }
-  // In units of the root of the mass heavy bodies do not decide the rank. (Bringing rows to unit
-  // length instead would weigh a moment equation whose lever is rounding as much as the balance of
-  // forces.)
+  // Coordinates of a block are made alike by the roots of their masses, as in QpResidual. The
+  // masses of different blocks do not matter for the balance and would spoil its rank; nor may rows
+  // be brought to unit length, which would weigh a moment equation whose lever is rounding as much
+  // as the balance of forces.
   for (Index j = 0; j < balance.r.size(); ++j) {
-    const double unit = 1.0 / std::sqrt(p.mass[at(j)]);
+    const double unit = std::sqrt(p.mass[at(j - j % p.block_size)] / p.mass[at(j)]);
     balance.r[j] *= unit;
     balance.A.row(j) *= unit;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wuerfel {
 namespace {
@@ -39,39 +40,50 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
   start(problem);
   first_point(problem);
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
+  double former = unbounded;
   int lost = 0;
-  for (int outer = 0; outer < most_outer_steps; ++outer) {
-    while (!inner_step(problem))
-      if (factorisations_ >= most_factorisations) {
-        outcome.factorisations = factorisations_;
-        return outcome;
-      }
+  for (int outer = 0; outer < most_outer_steps && minimise(problem, most_factorisations); ++outer) {
     force_ = lambda_;
     update_multipliers(problem);
     const double worst = worst_row(problem, scales, rest_, lambda_);
     lost = worst > 0.5 * outcome.worst && rho_ >= largest_rho_ ? lost + 1 : 0;
-    const bool slow = worst > 0.1 * outcome.worst;
-    outcome.worst = worst;
-    outcome.factorisations = factorisations_;
+    if (worst < outcome.worst) {
+      outcome.worst = worst;
+      best_ = lambda_;
+    }
     // Where the sides were hard to find the program is nearly degenerate and x is less exact than
     // its residual.
-    if (worst <= (factorisations_ <= 2 ? goal : hard_share * goal)) break;
-    if (outer >= 2 && slow) {
-      for (std::size_t i = 0; i < force_.size(); ++i)
-        raw_[i] = lambda_[i] - force_[i];
-      if (proves_infeasible(problem, raw_, weight_, d_)) {
-        outcome.end = MethodEnd::infeasible;
-        break;
-      }
+    if (worst <= (factorisations_ <= 2 ? goal : hard_share * goal) || lost >= 3) break;
+    const bool slow = worst > 0.1 * former;
+    former = worst;
+    if (outer >= 2 && slow && diverges(problem)) {
+      outcome.end = MethodEnd::infeasible;
+      break;
     }
-    if (lost >= 3) break;
     if (slow && rho_ < largest_rho_) {
       rho_ *= 10.0;
       factorised_ = false;
     }
   }
   if (outcome.worst <= goal && outcome.end == MethodEnd::stalled) outcome.end = MethodEnd::reached;
+  outcome.factorisations = factorisations_;
+  problem.apply_transposed(best_.data(), y_.data());
   return outcome;
+}
+
+/// Minimises phi. False if that took too many factorisations.
+bool NewtonMethod::minimise(LeastDistance& problem, int most_factorisations) {
+  while (!inner_step(problem))
+    if (factorisations_ >= most_factorisations) return false;
+  return true;
+}
+
+/// Whether the last change of the multipliers, with the former ones in `force_`, proves that the
+/// rows contradict each other.
+bool NewtonMethod::diverges(const LeastDistance& problem) {
+  for (std::size_t i = 0; i < force_.size(); ++i)
+    raw_[i] = lambda_[i] - force_[i];
+  return proves_infeasible(problem, raw_, weight_, d_);
 }
 
 /// With w = (h - G y) pulled back, the same phi: its minimum has lambda = clamp(rho G w), y =
@@ -99,10 +111,9 @@ bool NewtonMethod::least_norm(LeastDistance& problem,
   problem.apply(d_.data(), rest_.data());
   y_ = target;
   add(-1.0, d_, y_);
-  while (!inner_step(problem))
-    if (factorisations_ >= most_factorisations) return false;
-  lambda_ = force_;
-  problem.apply_transposed(lambda_.data(), y_.data());
+  if (!minimise(problem, most_factorisations)) return false;
+  best_ = force_;
+  problem.apply_transposed(best_.data(), y_.data());
   return true;
 }
 
@@ -114,9 +125,10 @@ void NewtonMethod::start(const LeastDistance& problem) {
     v->resize(rows);
   for (auto* v : {&y_, &d_, &rhs_})
     v->resize(blocks);
+  best_.assign(rows, 0.0);
   breakpoints_.reserve(2 * rows);
   choose_rho(problem);
-  factorised_ = false;
+  factorised_ = updated_ = false;
   factorisations_ = 0;
 }
 
@@ -213,8 +225,11 @@ bool NewtonMethod::find_sides(const LeastDistance& problem) {
 /// step was a whole one and left all rows on their sides. A test on the gradient would never pass:
 /// rho turns rounding of y into large gradients.
 bool NewtonMethod::inner_step(LeastDistance& problem) {
-  const bool same = find_sides(problem);
-  if (same && factorised_ && whole_step_) return true;
+  // After an outer step the sides are expected to stay, whatever rounding of y = G' lambda makes of
+  // them on the way.
+  const bool expectant = std::exchange(updated_, false);
+  const bool same = expectant ? stay(problem) : find_sides(problem);
+  if (!expectant && same && factorised_ && whole_step_) return true;
   problem.apply_transposed(force_.data(), rhs_.data());
   add(-1.0, y_, rhs_);
   if (!same || !factorised_) {
@@ -227,13 +242,23 @@ bool NewtonMethod::inner_step(LeastDistance& problem) {
   d_ = rhs_;
   problem.solve(d_.data());
   problem.apply(d_.data(), Gd_.data());
-  const double slope = -dot(rhs_, d_);
-  const double step = keeps_sides(problem) ? 1.0 : line_search(problem, slope);
+  const bool whole = keeps_sides(problem);
+  if (expectant && !whole) return false;
+  const double step = whole ? 1.0 : line_search(problem, -dot(rhs_, d_));
   add(step, d_, y_);
   for (std::size_t i = 0; i < rest_.size(); ++i)
     rest_[i] -= step * Gd_[i];
   whole_step_ = step == 1.0;
   return false;
+}
+
+/// raw = lambda + rho (h - G y) with every row on the side where it was.
+bool NewtonMethod::stay(const LeastDistance& problem) {
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    raw_[i] = lambda_[i] + rho_ * rest_[i];
+    force_[i] = side_[i] == 0 ? raw_[i] : bound_of(problem, i, side_[i]);
+  }
+  return true;
 }
 
 bool NewtonMethod::keeps_sides(const LeastDistance& problem) const {
@@ -280,6 +305,7 @@ void NewtonMethod::update_multipliers(const LeastDistance& problem) {
   problem.apply_transposed(lambda_.data(), y_.data());
   find_rest(problem);
   whole_step_ = false;
+  updated_ = true;
 }
 
 void NewtonMethod::find_rest(const LeastDistance& problem) {

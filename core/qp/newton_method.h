@@ -45,7 +45,7 @@ class NewtonMethod {
                   int most_factorisations);
 
   [[nodiscard]] const std::vector<Quad>& y() const { return y_; }
-  [[nodiscard]] const std::vector<double>& multiplier() const { return lambda_; }
+  [[nodiscard]] const std::vector<double>& multiplier() const { return best_; }
 
  private:
   void start(const LeastDistance& problem);
@@ -55,9 +55,12 @@ class NewtonMethod {
   [[nodiscard]] signed char side_of(const LeastDistance& problem,
                                     std::size_t row,
                                     double raw) const;
+  bool stay(const LeastDistance& problem);
   bool find_sides(const LeastDistance& problem);
   void update_multipliers(const LeastDistance& problem);
   void find_rest(const LeastDistance& problem);
+  bool minimise(LeastDistance& problem, int most_factorisations);
+  bool diverges(const LeastDistance& problem);
   bool inner_step(LeastDistance& problem);
   double line_search(const LeastDistance& problem, double slope);
   bool keeps_sides(const LeastDistance& problem) const;
@@ -67,12 +70,13 @@ class NewtonMethod {
   double dead_ =
       0.0;  ///< multipliers this near to a bound are at it, or rows without force and gap chatter
   bool factorised_ = false;
+  bool updated_ = false;     ///< the multipliers have just been updated
   bool whole_step_ = false;  ///< the last step went all the way to the Newton point
   int factorisations_ = 0;
   std::vector<signed char>
       side_;  ///< -1 at force_min, +1 at force_max, 0 between: the row is active
   std::vector<signed char> former_side_;
-  std::vector<double> lambda_, raw_, Gd_, weight_, force_;
+  std::vector<double> lambda_, raw_, Gd_, weight_, force_, best_;
   /// h - G y. Updated by differences between outer steps: rho would blow up the rounding of G y
   /// itself.
   std::vector<double> rest_;
