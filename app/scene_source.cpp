@@ -48,7 +48,7 @@ std::string read_file(const std::string& path) {
   for (const ShippedScene& scene : shipped_scenes())
     names.push_back(scene.name);
   throw SceneError(fmt::format("{}: no such file, and no shipped scene of that name{}", source,
-                               suggestion(source, names)));
+                               nearest_name_hint(source, names)));
 }
 
 }  // namespace

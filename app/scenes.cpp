@@ -33,7 +33,7 @@ ExitCode scenes(const std::string& name) {
   std::vector<std::string_view> names;
   for (const ShippedScene& scene : shipped_scenes())
     names.push_back(scene.name);
-  throw UsageError(fmt::format("there is no scene '{}'{}", name, suggestion(name, names)));
+  throw UsageError(fmt::format("there is no scene '{}'{}", name, nearest_name_hint(name, names)));
 }
 
 }  // namespace wuerfel
