@@ -6,7 +6,6 @@
 namespace wuerfel {
 namespace {
 
-constexpr int dense_rows = 40;        ///< up to which the oracle is quick enough
 constexpr double tight_slack = 1e-9;  ///< relative as in QpResidual
 constexpr int most_rounds =
     200;  ///< of the proximal iteration: back-solves, as long as the rows stay
@@ -15,9 +14,9 @@ constexpr double most_stiffness = 1e6;
 constexpr double exact_balance = 1e-14;
 constexpr double good_balance = 1e-9;
 constexpr double projection_weight = 1e10;  ///< in units of 1 / |g|^2
-constexpr int projection_rounds = 12;
-constexpr double no_part = 1e-7;   ///< of a vector of numbers in [1, 2]
-constexpr double no_force = 1e-9;  ///< of the largest force, at an interior point
+constexpr int projection_rounds = 300;      ///< at most; nearly dependent rows take many
+constexpr double no_part = 1e-7;            ///< of a vector of numbers in [1, 2]
+constexpr double no_force = 1e-9;           ///< of the largest force, at an interior point
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -52,10 +51,6 @@ void CanonicalMultipliers::find(const QuadraticProgram& program,
                                 const std::vector<double>& multiplier,
                                 bool with_unique,
                                 LeastNormMultipliers& result) {
-  if (program.rows() <= dense_rows) {
-    result = least_norm_multipliers(program, x);
-    return;
-  }
   result.multiplier = multiplier;
   result.unique.assign(multiplier.size(), false);
   result.misfit = 0.0;
@@ -170,6 +165,23 @@ bool CanonicalMultipliers::find_support(const QuadraticProgram& program) {
   return true;
 }
 
+/// v := v - W^(1/2) G (I + G' W G)^-1 G' W^(1/2) v, which leaves of v what no combination of
+/// columns of G can take away. Returns the largest change.
+double CanonicalMultipliers::project() {
+  for (std::size_t i = 0; i < v_.size(); ++i)
+    part_[i] = v_[i] * std::sqrt(weight_[i]);
+  tight_.apply_transposed(part_.data(), d_.data());
+  tight_.solve(d_.data());
+  tight_.apply(d_.data(), part_.data());
+  double change = 0.0;
+  for (std::size_t i = 0; i < v_.size(); ++i) {
+    const double taken = std::sqrt(weight_[i]) * part_[i];
+    v_[i] -= taken;
+    change = std::max(change, std::abs(taken));
+  }
+  return change;
+}
+
 /// Marks rows of tight_ that have a part in some v with G' v = 0. True if there are any.
 bool CanonicalMultipliers::mark_dependent(std::vector<bool>& dependent) {
   const auto rows = at(tight_.rows());
@@ -189,15 +201,7 @@ bool CanonicalMultipliers::mark_dependent(std::vector<bool>& dependent) {
       if (seed >= 1.0) seed -= 1.0;
       v = 1.0 + seed * seed;
     }
-    for (int round = 0; round < projection_rounds; ++round) {
-      // v := v - W^(1/2) G (I + G' W G)^-1 G' W^(1/2) v, in the rows scaled to unit length.
-      for (std::size_t i = 0; i < rows; ++i)
-        part_[i] = v_[i] * std::sqrt(weight_[i]);
-      tight_.apply_transposed(part_.data(), d_.data());
-      tight_.solve(d_.data());
-      tight_.apply(d_.data(), part_.data());
-      for (std::size_t i = 0; i < rows; ++i)
-        v_[i] -= std::sqrt(weight_[i]) * part_[i];
+    for (int round = 0; round < projection_rounds && project() > 1e-3 * no_part; ++round) {
     }
     for (std::size_t i = 0; i < rows; ++i)
       if (std::abs(v_[i]) > no_part) dependent[i] = any = true;

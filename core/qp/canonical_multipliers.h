@@ -43,6 +43,7 @@ class CanonicalMultipliers {
   bool find_values(double& misfit);
   void find_flags(const QuadraticProgram& program, LeastNormMultipliers& result);
   bool find_support(const QuadraticProgram& program);
+  double project();
   bool mark_dependent(std::vector<bool>& dependent);
 
   LeastDistance tight_, whole_;

@@ -294,8 +294,6 @@ void polish(const QuadraticProgram& program, const ScaledProgram& form, QpResult
         least_norm_multipliers(program, candidate.x, {}, {.tight = tight}).multiplier;
     candidate.residual = optimality_residual(program, candidate.x, candidate.multiplier);
     const double candidate_error = local_error(program, form, candidate);
-      fprintf(stderr, "tight %g raw err %g res %g cand err %g res %g misfit\n", tight, error,
-              result.residual.worst(), candidate_error, candidate.residual.worst());
     if (candidate_error >= error || candidate.residual.worst() > 1e-10) continue;
     error = candidate_error;
     result.x = candidate.x;
