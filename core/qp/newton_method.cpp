@@ -136,13 +136,15 @@ void NewtonMethod::start(const LeastDistance& problem) {
 /// growing the set from nothing would activate a tower one cube at a time.
 void NewtonMethod::guess_sides(const LeastDistance& problem) {
   const auto rows = static_cast<std::size_t>(problem.rows());
-  if (side_.empty() || !problem.same_rows()) {
+  // What is remembered may be older than the problem's former rows: another method has answered in
+  // between, or none.
+  if (side_.size() != rows || !problem.same_rows()) {
     former_side_.swap(side_);
     side_.assign(rows, 0);
-    if (!former_side_.empty())
-      for (std::size_t i = 0; i < rows; ++i)
-        if (const int former = problem.former_row()[i]; former >= 0)
-          side_[i] = former_side_[static_cast<std::size_t>(former)];
+    const auto known = static_cast<int>(former_side_.size());
+    for (std::size_t i = 0; i < rows; ++i)
+      if (const int former = problem.former_row()[i]; former >= 0 && former < known)
+        side_[i] = former_side_[static_cast<std::size_t>(former)];
   }
   for (std::size_t i = 0; i < rows; ++i) {
     // A side without a bound cannot be taken, and a row without a range has no choice.
