@@ -31,12 +31,13 @@ Verdict judge(const System& system, const Moment& moment, const Audit& audit) {
 }
 
 void add_contact_forces(const System& system, const Moment& moment, Check& check) {
-  for (const Island& island : moment.islands) {
+  for (std::size_t m = 0; m < moment.islands.size(); ++m) {
+    const Island& island = moment.islands[m];
     std::vector<Twist> accelerations;
-    for (const int cube : island.cubes) {
+    for (const int cube : island.cubes)
       accelerations.push_back(moment.accelerations[static_cast<std::size_t>(cube)]);
-    }
-    const ContactForces forces = canonical_forces(system, moment.state, island, accelerations);
+    const ContactForces forces = canonical_forces(system, moment.state, island, accelerations,
+                                                  moment.solutions[m], Uniqueness::asked);
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       const Contact& c = island.contacts[k];
       check.contacts.push_back({system.body(c.on).name, system.body(c.from).name, c.point, c.normal,

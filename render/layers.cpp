@@ -36,7 +36,8 @@ Layers parse_layers(std::string_view text) {
     if (name.empty()) continue;
     const auto* const found = std::ranges::find(names, name);
     if (found == names.end()) {
-      throw RenderError("unknown layer '" + std::string(name) + "'" + nearest_name_hint(name, names));
+      throw RenderError("unknown layer '" + std::string(name) + "'"
+                        + nearest_name_hint(name, names));
     }
     layers.insert(static_cast<Layer>(found - names.begin()));
   }

@@ -147,7 +147,8 @@ std::string_view to_string(Theme theme) {
 Theme parse_theme(std::string_view text) {
   const auto* const found = std::ranges::find(theme_names, text);
   if (found == theme_names.end()) {
-    throw RenderError("unknown theme '" + std::string(text) + "'" + nearest_name_hint(text, theme_names));
+    throw RenderError("unknown theme '" + std::string(text) + "'"
+                      + nearest_name_hint(text, theme_names));
   }
   return static_cast<Theme>(found - theme_names.begin());
 }

@@ -4,18 +4,29 @@
 
 #include "core/constraints/side.h"
 #include "core/dynamics/programs.h"
-#include "core/qp/least_norm_multipliers.h"
+#include "core/qp/canonical_multipliers.h"
 
 namespace wuerfel {
+namespace {
+
+/// What the sparse way leaves undone, the dense one does for programs that are not too large.
+constexpr double good_misfit = 1e-8;
+constexpr int largest_dense = 200;
+
+}  // namespace
 
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,
-                               const std::vector<Twist>& accelerations) {
+                               const std::vector<Twist>& accelerations,
+                               const IslandSolution& solution,
+                               Uniqueness uniqueness) {
   std::vector<SideUse> use;
-  for (const Contact& contact : island.contacts) {
-    const bool active = contact_motion(system, state, contact) != ContactMotion::opening;
+  std::vector<double> multiplier;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const bool active = contact_motion(system, state, island.contacts[k]) != ContactMotion::opening;
     use.push_back(active ? SideUse::inequality : SideUse::none);
+    if (active) multiplier.push_back(solution.forces[k]);
   }
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
@@ -23,11 +34,19 @@ ContactForces canonical_forces(const System& system,
   for (const Twist& a : accelerations) {
     x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
   }
-  const LeastNormMultipliers least = least_norm_multipliers(builder.program(), x);
-  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
+  LeastNormMultipliers least;
+  CanonicalMultipliers().find(builder.program(), x, multiplier, uniqueness == Uniqueness::asked,
+                              least);
+  if (least.misfit > good_misfit && builder.program().rows() <= largest_dense) {
+    least = least_norm_multipliers(builder.program(), x);
+  }
+  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 0)};
   std::size_t row = 0;
   for (std::size_t k = 0; k < use.size(); ++k) {
-    if (use[k] == SideUse::none) continue;
+    if (use[k] == SideUse::none) {
+      result.unique[k] = 1;  // an opening contact has no force
+      continue;
+    }
     result.force[k] = least.multiplier[row];
     result.unique[k] = least.unique[row] ? 1 : 0;
     ++row;

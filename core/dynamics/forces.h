@@ -9,21 +9,28 @@
 #include <vector>
 
 #include "core/constraints/islands.h"
+#include "core/dynamics/gauss.h"
 #include "core/model/points.h"
 
 namespace wuerfel {
 
+enum class Uniqueness { asked, ignored };
+
 struct ContactForces {
   std::vector<double> force;  ///< N, >= 0; one per contact of the island, 0 where it is opening
   std::vector<char>
-      unique;  ///< whether no other force at this contact gives the same accelerations
+      unique;  ///< whether no other force here gives the same accelerations; all 0 if ignored
 };
 
-/// Contact forces that give these accelerations (one per cube of the island), least sum of squares.
+/// Contact forces of least sum of squares that give the accelerations of `solution`, which must be
+/// optimal to about 1e-10. `accelerations` are those of its cubes as they are used (exactly zero in
+/// certified rest).
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,
-                               const std::vector<Twist>& accelerations);
+                               const std::vector<Twist>& accelerations,
+                               const IslandSolution& solution,
+                               Uniqueness uniqueness);
 
 /// Tensions (N, tension positive) of the rods of one cube, in the order of cube_rods: least sum of
 /// squares among those that give every point its acceleration under gravity and the contact forces

@@ -283,6 +283,8 @@ double local_error(const QuadraticProgram& p, const ScaledProgram& form, const Q
 /// Cubic in the number of unknowns, so for small programs only.
 constexpr int largest_to_polish = 400;
 
+constexpr double good_residual = 1e-10;
+
 /// Keeps the better of `result` and its projections onto the rows that look tight.
 void polish(const QuadraticProgram& program, const ScaledProgram& form, QpResult& result) {
   if (program.unknowns() > largest_to_polish || program.rows() > 2 * largest_to_polish) return;
@@ -294,7 +296,12 @@ void polish(const QuadraticProgram& program, const ScaledProgram& form, QpResult
         least_norm_multipliers(program, candidate.x, {}, {.tight = tight}).multiplier;
     candidate.residual = optimality_residual(program, candidate.x, candidate.multiplier);
     const double candidate_error = local_error(program, form, candidate);
-    if (candidate_error >= error || candidate.residual.worst() > 1e-10) continue;
+    // While the residual is poor it decides; once it is good, the light bodies do.
+    const double worst = candidate.residual.worst();
+    const bool better = result.residual.worst() > good_residual
+                            ? worst < result.residual.worst()
+                            : worst <= good_residual && candidate_error < error;
+    if (!better) continue;
     error = candidate_error;
     result.x = candidate.x;
     result.multiplier = candidate.multiplier;

@@ -41,10 +41,12 @@ void add_forces(const System& system,
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (forces[k] <= 0.0) continue;
-    // Shown on a cube: what a cube does to the ground says nothing more.
-    const bool on_cube = system.is_cube(c.on);
-    const Vec2 force = (on_cube ? forces[k] : -forces[k]) * c.normal;
-    snapshot.forces.push_back({c.point, force, ForceKind::contact, on_cube ? c.on : c.from});
+    // Shown is the force that carries: on the upper body of the two, and on a cube where one is
+    // fixed.
+    const bool carries = system.gravity.dot(c.normal) <= 0.0;
+    const bool on = system.is_cube(c.on) && (carries || !system.is_cube(c.from));
+    const Vec2 force = (on ? forces[k] : -forces[k]) * c.normal;
+    snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from});
   }
 }
 
@@ -121,14 +123,16 @@ Snapshot take_snapshot(const Scene& scene,
 
   const bool with_forces = request.forces || request.rod_forces;
   std::vector<char> in_island(moment.state.size(), 0);
-  for (const Island& island : moment.islands) {
+  for (std::size_t m = 0; m < moment.islands.size(); ++m) {
+    const Island& island = moment.islands[m];
     std::vector<double> forces(island.contacts.size(), 0.0);
     if (with_forces) {
       std::vector<Twist> accelerations;
-      for (const int cube : island.cubes) {
+      for (const int cube : island.cubes)
         accelerations.push_back(moment.accelerations[static_cast<std::size_t>(cube)]);
-      }
-      forces = canonical_forces(system, moment.state, island, accelerations).force;
+      forces = canonical_forces(system, moment.state, island, accelerations, moment.solutions[m],
+                                Uniqueness::ignored)
+                   .force;
     }
     if (request.forces) add_forces(system, island, forces, snapshot);
     if (request.contacts) add_contacts(island, snapshot);

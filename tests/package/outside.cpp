@@ -9,8 +9,8 @@
 
 int main() {
   using namespace wuerfel;
-  const Scene scene = parse_scene(
-      "[[plane]]\nname = 'floor'\n[[tower]]\ncount = 3\non = 'floor'\n", "three cubes");
+  const Scene scene =
+      parse_scene("[[plane]]\nname = 'floor'\n[[tower]]\ncount = 3\non = 'floor'\n", "three cubes");
   MotionSettings referee;
   referee.solver = QpMethod::ipopt;
   const bool stands = check(scene, {}).verdict == Verdict::stands

@@ -24,7 +24,8 @@ TEST(BroadPhase, FindsWhatBruteForceFinds) {
   BroadPhase broad_phase;
   for (const int n : {0, 1, 2, 5, 17, 300}) {
     for (const double ratio : {1.0, 30.0}) {
-      const std::vector<BoundingBox> bounds = random_bounds(static_cast<std::uint64_t>(n), n, ratio);
+      const std::vector<BoundingBox> bounds =
+          random_bounds(static_cast<std::uint64_t>(n), n, ratio);
       EXPECT_EQ(broad_phase.overlapping_pairs(bounds), overlapping_pairs_brute_force(bounds)) << n;
     }
   }
