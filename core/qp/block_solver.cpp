@@ -11,10 +11,10 @@ constexpr double interior_goal_share =
     1e-1;                            ///< interior_point this far, where every step costs factors
 constexpr double best_goal = 2e-14;  ///< but not below rounding
 constexpr int small_problem = 300;   ///< blocks up to which newton is cheap
-constexpr int large_problem = 1500;  ///< blocks from which it is not tried
+constexpr int large_problem = 1500;  ///< blocks from which it is not tried again
 constexpr int most_newton_factorisations = 20;  ///< then the other method takes over
-constexpr int few_newton_factorisations =
-    6;  ///< the same where newton is not cheap and has to guess sides
+constexpr double most_wrong_guesses =
+    0.02;  ///< part of the rows above which a large problem is left to the other method
 constexpr int patient_newton_factorisations = 400;  ///< where there is no other method
 constexpr int retry_newton_after = 32;
 constexpr double worth_settling = 1e-4;
@@ -75,16 +75,17 @@ void BlockSolver::run(const QuadraticProgram& program,
                       const ResidualScales& scales,
                       QpResult& result) {
   if (method_ == QpMethod::newton) {
-    run_newton(program, scales, patient_newton_factorisations, result);
+    run_newton(program, scales, {.most_factorisations = patient_newton_factorisations}, result);
     return;
   }
   if (method_ == QpMethod::automatic && newton_is_due()) {
-    const int most = problem_.blocks() <= small_problem || knows_sides_ ? most_newton_factorisations
-                                                                        : few_newton_factorisations;
+    NewtonEffort effort{.most_factorisations = most_newton_factorisations};
+    if (!knows_sides_ && problem_.blocks() > small_problem)
+      effort.most_changes = most_wrong_guesses;
     since_newton_ = 0;
     // A stalled answer may pass, but nearly degenerate programs turn it into a much larger error of
     // x.
-    knows_sides_ = run_newton(program, scales, most, result) && result.residual.worst() <= goal();
+    knows_sides_ = run_newton(program, scales, effort, result) && result.residual.worst() <= goal();
     newton_won_ = knows_sides_ || result.status == QpStatus::infeasible;
     if (newton_won_) return;
   }
@@ -100,11 +101,11 @@ void BlockSolver::run(const QuadraticProgram& program,
 bool BlockSolver::newton_is_due() {
   ++since_newton_;
   if (newton_won_) return true;
-  if (problem_.blocks() > large_problem) return false;
   if (!tried_newton_) {
     tried_newton_ = true;
     return true;
   }
+  if (problem_.blocks() > large_problem) return false;
   if (knows_sides_ && !tried_known_sides_) {
     tried_known_sides_ = true;
     return true;
@@ -114,9 +115,9 @@ bool BlockSolver::newton_is_due() {
 
 bool BlockSolver::run_newton(const QuadraticProgram& program,
                              const ResidualScales& scales,
-                             int most,
+                             const NewtonEffort& effort,
                              QpResult& result) {
-  const MethodOutcome outcome = newton_.run(problem_, scales, goal(), most);
+  const MethodOutcome outcome = newton_.run(problem_, scales, goal(), effort);
   return take(program, scales, outcome, goal(), newton_.y(), newton_.multiplier(), result);
 }
 

@@ -28,7 +28,7 @@ class BlockSolver final : public QpSolver {
   bool newton_is_due();
   bool run_newton(const QuadraticProgram& program,
                   const ResidualScales& scales,
-                  int most,
+                  const NewtonEffort& effort,
                   QpResult& result);
   void run_interior_point(const QuadraticProgram& program,
                           const ResidualScales& scales,

@@ -282,6 +282,8 @@ double local_error(const QuadraticProgram& p, const ScaledProgram& form, const Q
 
 /// Cubic in the number of unknowns, so for small programs only.
 constexpr int largest_to_polish = 400;
+/// An error of accelerations, relative to the size of the scaled program, that needs no polishing.
+constexpr double exact_enough = 1e-13;
 
 constexpr double good_residual = 1e-10;
 
@@ -289,6 +291,7 @@ constexpr double good_residual = 1e-10;
 void polish(const QuadraticProgram& program, const ScaledProgram& form, QpResult& result) {
   if (program.unknowns() > largest_to_polish || program.rows() > 2 * largest_to_polish) return;
   double error = local_error(program, form, result);
+  if (error <= exact_enough * form.size) return;
   QpResult candidate;
   for (const double tight : {1e-6, 1e-8}) {
     candidate.x = onto_tight_rows(program, form, result, tight);

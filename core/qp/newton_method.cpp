@@ -36,13 +36,13 @@ double bound_of(const LeastDistance& problem, std::size_t row, signed char side)
 MethodOutcome NewtonMethod::run(LeastDistance& problem,
                                 const ResidualScales& scales,
                                 double goal,
-                                int most_factorisations) {
+                                const NewtonEffort& effort) {
   start(problem);
   first_point(problem);
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
   double former = unbounded;
   int lost = 0;
-  for (int outer = 0; outer < most_outer_steps && minimise(problem, most_factorisations); ++outer) {
+  for (int outer = 0; outer < most_outer_steps && minimise(problem, effort); ++outer) {
     force_ = lambda_;
     update_multipliers(problem);
     const double worst = worst_row(problem, scales, rest_, lambda_);
@@ -71,10 +71,11 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
   return outcome;
 }
 
-/// Minimises phi. False if that took too many factorisations.
-bool NewtonMethod::minimise(LeastDistance& problem, int most_factorisations) {
+/// Minimises phi. False if that is more than the effort allowed.
+bool NewtonMethod::minimise(LeastDistance& problem, const NewtonEffort& effort) {
+  most_first_changes_ = effort.most_changes * static_cast<double>(raw_.size());
   while (!inner_step(problem))
-    if (factorisations_ >= most_factorisations) return false;
+    if (hopeless_ || factorisations_ >= effort.most_factorisations) return false;
   return true;
 }
 
@@ -111,7 +112,7 @@ bool NewtonMethod::least_norm(LeastDistance& problem,
   problem.apply(d_.data(), rest_.data());
   y_ = target;
   add(-1.0, d_, y_);
-  if (!minimise(problem, most_factorisations)) return false;
+  if (!minimise(problem, {most_factorisations, 1.0})) return false;
   best_ = force_;
   problem.apply_transposed(best_.data(), y_.data());
   return true;
@@ -130,6 +131,7 @@ void NewtonMethod::start(const LeastDistance& problem) {
   choose_rho(problem);
   factorised_ = updated_ = false;
   factorisations_ = 0;
+  hopeless_ = false;
 }
 
 /// The sides of the last solution where rows are the same; all active where nothing is known:
@@ -212,15 +214,16 @@ signed char NewtonMethod::side_of(const LeastDistance& problem, std::size_t row,
 
 /// raw = lambda + rho (h - G y) and on which side of its range it is. True if no side changed.
 bool NewtonMethod::find_sides(const LeastDistance& problem) {
-  bool same = true;
+  int changes = 0;
   for (std::size_t i = 0; i < raw_.size(); ++i) {
     raw_[i] = lambda_[i] + rho_ * rest_[i];
     const signed char side = side_of(problem, i, raw_[i]);
-    same = same && side == side_[i];
+    if (side != side_[i]) ++changes;
     side_[i] = side;
     force_[i] = side == 0 ? raw_[i] : bound_of(problem, i, side);
   }
-  return same;
+  hopeless_ = factorisations_ == 1 && changes > most_first_changes_;
+  return changes == 0;
 }
 
 /// One Newton step towards the minimum of phi; true if it has been reached, that is, if the last
@@ -232,6 +235,7 @@ bool NewtonMethod::inner_step(LeastDistance& problem) {
   const bool expectant = std::exchange(updated_, false);
   const bool same = expectant ? stay(problem) : find_sides(problem);
   if (!expectant && same && factorised_ && whole_step_) return true;
+  if (hopeless_) return false;
   problem.apply_transposed(force_.data(), rhs_.data());
   add(-1.0, y_, rhs_);
   if (!same || !factorised_) {

@@ -24,13 +24,20 @@
 
 namespace wuerfel {
 
+/// When to give up.
+struct NewtonEffort {
+  int most_factorisations = 20;
+  double most_changes =
+      1.0;  ///< part of the rows that the first step may move to another side than guessed
+};
+
 class NewtonMethod {
  public:
-  /// Solves to `goal` in the measure of QpResidual, or as far as `most_factorisations` lead.
+  /// Solves to `goal` in the measure of QpResidual, or as far as the effort leads.
   MethodOutcome run(LeastDistance& problem,
                     const ResidualScales& scales,
                     double goal,
-                    int most_factorisations);
+                    const NewtonEffort& effort);
   void forget() { side_.clear(); }
   /// Makes the next run start from the sides of these multipliers, in the numbering of `problem`.
   void remember(const LeastDistance& problem, const std::vector<double>& multiplier);
@@ -59,7 +66,7 @@ class NewtonMethod {
   bool find_sides(const LeastDistance& problem);
   void update_multipliers(const LeastDistance& problem);
   void find_rest(const LeastDistance& problem);
-  bool minimise(LeastDistance& problem, int most_factorisations);
+  bool minimise(LeastDistance& problem, const NewtonEffort& effort);
   bool diverges(const LeastDistance& problem);
   bool inner_step(LeastDistance& problem);
   double line_search(const LeastDistance& problem, double slope);
@@ -73,6 +80,8 @@ class NewtonMethod {
   bool updated_ = false;     ///< the multipliers have just been updated
   bool whole_step_ = false;  ///< the last step went all the way to the Newton point
   int factorisations_ = 0;
+  double most_first_changes_ = 0.0;
+  bool hopeless_ = false;  ///< too many rows were guessed wrong
   std::vector<signed char>
       side_;  ///< -1 at force_min, +1 at force_max, 0 between: the row is active
   std::vector<signed char> former_side_;

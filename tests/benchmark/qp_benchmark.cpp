@@ -51,8 +51,8 @@ Timing measure(QpSolver& solver, const std::vector<QuadraticProgram>& programs, 
   const double start = seconds();
   const auto warm_steps = static_cast<double>(programs.size() - 1);
   // Small programs are solved several times between two looks at the clock.
-  const int repeats = programs.front().rows() < 1000 ? 8 : 1;
-  for (int round = 0; round < 3 || (round < 2000 && seconds() - start < budget); ++round) {
+  const int repeats = programs.front().rows() < 1000 && solver.name() != "ipopt" ? 8 : 1;
+  for (int round = 0; round < 2 || (round < 2000 && seconds() - start < budget); ++round) {
     double t = seconds();
     for (int k = 0; k < repeats; ++k) {
       solver.forget();
@@ -164,7 +164,7 @@ std::vector<Scene> scenes() {
       {"pile 10000", pile(10000), moved, false, false},
       {"pyramid 40 at rest", pyramid(40), ideal, false, true},
       {"pyramid 100 at rest", pyramid(100), ideal, false, false},
-      {"wall 10x10", wall(10), moved, true, true},
+      {"wall 10x10", wall(10), moved, false, true},
       {"wall 10x10 at rest", wall(10), ideal, false, true},
       {"wall 30x30", wall(30), moved, false, true},
       {"wall 30x30 at rest", wall(30), ideal, false, true},
