@@ -58,12 +58,13 @@ Scene read_scene(const SceneChoice& choice) {
   if (source == "-")
     return parse_scene(read_stream(std::cin, "standard input"), "standard input", overrides);
   std::error_code ignored;
-  if (std::filesystem::exists(source, ignored))
-    return parse_scene(read_file(source), source, overrides);
-  if (const ShippedScene* scene = find_shipped_scene(source)) {
+  const bool folder = std::filesystem::is_directory(source, ignored);
+  const bool file = std::filesystem::exists(source, ignored) && !folder;
+  if (const ShippedScene* scene = find_shipped_scene(source); scene != nullptr && !file) {
     return parse_scene(scene->text, fmt::format("{}.toml", scene->name), overrides);
   }
-  unknown_source(source);
+  if (!file && !folder) unknown_source(source);
+  return parse_scene(read_file(source), source, overrides);
 }
 
 std::string text_hash(std::string_view text) {

@@ -1,6 +1,7 @@
 """What `run` reports: the JSON summary, samples, tables, and where they go."""
 import csv
 import json
+import os
 
 from program import FALLING, FLYING, FLYING_TOML, LANDING, STANDING, ProgramTest, main
 
@@ -15,7 +16,9 @@ class Summary(ProgramTest):
         self.assertEqual(set(s["audit"]["energy"]), {"start", "end", "impact_loss", "friction_loss", "drift"})
         self.assertEqual(set(s["outcome"]), {"moved", "at_rest"})
         self.assertEqual(set(s["cost"]), {"wall_s", "cpu_s", "start_s", "steps", "qp_solves", "qp_skipped", "frames",
-                                          "frames_reused"})
+                                          "frames_reused", "skipped"})
+        self.assertEqual(set(s["cost"]["skipped"]), {"free", "rest", "certificate"})
+        self.assertEqual(sum(s["cost"]["skipped"].values()), s["cost"]["qp_skipped"])
         self.assertEqual(set(s["samples"][0]["bodies"]["a"]), {"x", "y", "theta", "vx", "vy", "omega"})
         self.assertEqual(set(s["events"][0]), {"t", "kind", "bodies", "point", "impulse"})
 
@@ -129,6 +132,14 @@ class Tables(ProgramTest):
         done = self.expect(0, "run", self.scene(FLYING), "--states", "-", "--fps", "1")
         self.assertEqual(done.stdout.splitlines()[0], "t,body,x,y,theta,vx,vy,omega")
         self.assertEqual(len(done.stdout.splitlines()), 3)
+
+    def test_states_are_the_same_bits_on_every_kind_of_processor(self):
+        # The C library then takes the sine, cosine and square root of older processors.
+        older = {**os.environ, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-AVX2"}
+        self.expect(0, "run", "demo", "--until", "1.5", "--states", "here.csv", "--quiet")
+        self.expect(0, "run", "demo", "--until", "1.5", "--states", "older.csv", "--quiet", env=older)
+        self.assertEqual(self.content("here.csv"), self.content("older.csv"))
+        self.assertGreater(len(self.content("here.csv")), 10000)
 
 
 if __name__ == "__main__":
