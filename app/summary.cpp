@@ -43,10 +43,14 @@ Json audit_json(const Audit& audit) {
 }
 
 Json cost_json(const Cost& work, const RunCost& cost) {
-  return {{"wall_s", cost.wall_s},       {"cpu_s", cost.cpu_s},
-          {"start_s", cost.start_s},     {"steps", work.steps},
-          {"qp_solves", work.qp_solves}, {"qp_skipped", work.qp_skipped()},
-          {"frames", cost.frames},       {"frames_reused", cost.frames_reused},
+  return {{"wall_s", cost.wall_s},
+          {"cpu_s", cost.cpu_s},
+          {"start_s", cost.start_s},
+          {"steps", work.steps},
+          {"qp_solves", work.qp_solves},
+          {"qp_skipped", work.qp_skipped()},
+          {"frames", cost.frames},
+          {"frames_reused", cost.frames_reused},
           {"skipped",
            {{"free", work.skipped_free},
             {"rest", work.skipped_rest},
