@@ -7,7 +7,7 @@ namespace wuerfel {
 namespace {
 
 constexpr double proximal_equality = 1e-10;  ///< delta |g|^2 of rows without finite ends
-constexpr double to_the_boundary = 0.9995;
+constexpr double to_the_boundary = 0.995;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
 constexpr int most_steps = 100;
 constexpr double near = 1e-6;  ///< residual from which on progress is expected in every step
@@ -43,7 +43,7 @@ MethodOutcome InteriorPointMethod::run(
     const double unbalance = round_off(problem, scales);
     const double worst = std::max(worst_row(problem, scales, rhs_, scratch_), unbalance);
     const double mu = complementarity(problem);
-    lost = worst < 0.95 * outcome.worst || outcome.worst > near ? 0 : lost + 1;
+    lost = worst < 0.5 * outcome.worst || outcome.worst > near ? 0 : lost + 1;
     if (worst < outcome.worst) {
       outcome.worst = worst;
       best_ = scratch_;
