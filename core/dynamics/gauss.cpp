@@ -42,8 +42,9 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   solution.status = result.status;
   solution.residual = result.residual.worst();
   solution.forces.assign(island.contacts.size(), 0.0);
-  if (static_cast<int>(result.x.size()) != program.unknowns()) {
-    // Without an answer nothing is pushed: the caller sees the status.
+  if (static_cast<int>(result.x.size()) != program.unknowns()
+      || !std::isfinite(solution.residual)) {
+    // Without an answer nothing is pushed: the caller sees the status and counts it.
     solution.twists = builder_.twists(state, island, program.target);
     return solution;
   }

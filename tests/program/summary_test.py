@@ -141,6 +141,16 @@ class Tables(ProgramTest):
         self.assertEqual(self.content("here.csv"), self.content("older.csv"))
         self.assertGreater(len(self.content("here.csv")), 10000)
 
+    def test_every_shipped_scene_runs_to_its_end_exactly(self):
+        names = [line.split()[0] for line in self.expect(0, "scenes").stdout.splitlines()]
+        self.assertIn("demo", names)
+        for name in names:
+            with self.subTest(name):
+                s = json.loads(self.expect(0, "run", name, "--json", "--quiet").stdout)
+                self.assertLessEqual(s["audit"]["max_kkt_residual"], 1e-10)
+                self.assertLessEqual(s["audit"]["max_penetration"], 1e-9)
+                self.assertLessEqual(s["audit"]["max_rod_error"], 1e-12)
+
 
 if __name__ == "__main__":
     main()
