@@ -17,7 +17,10 @@ constexpr double pressed_share = 1e-9;
 /// Gaps are corrected to this share of the smaller side: well inside touching_tolerance, well above
 /// rounding.
 constexpr double corrected_gap = 1e-11;
-constexpr int most_corrections = 12;
+/// Rounds of corrections: sides stay closed in the first ones; where that does not settle, only
+/// overlap is removed.
+constexpr int closing_corrections = 12;
+constexpr int most_corrections = 40;
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
   ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
@@ -242,6 +245,7 @@ void Stepper::correct_positions(State& state, std::vector<Contact> closed, Bookk
   std::vector<Island> islands;
   for (int round = 0; round < most_corrections; ++round) {
     finder_.find(*system_, state, contacts);
+    if (round >= closing_corrections) closed.clear();
     // A side that was pressed stays closed, unless the corner has left its end.
     std::erase_if(closed, [&](Contact& c) {
       c = at_poses(*system_, finder_.boxes(), c);
