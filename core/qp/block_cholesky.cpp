@@ -47,9 +47,10 @@ void BlockCholesky::find_columns(const std::vector<int>& start,
     add(j);
     for (int e = start[at(order[at(j)])]; e < start[at(order[at(j)]) + 1]; ++e)
       add(position_[at(neighbour[at(e)])]);
-    for (int child = first_child_[at(j)]; child >= 0; child = next_sibling_[at(child)])
+    for (int child = first_child_[at(j)]; child >= 0; child = next_sibling_[at(child)]) {
       for (int q = column_start_[at(child)] + 1; q < column_start_[at(child) + 1]; ++q)
         add(row_[at(q)]);
+    }
     std::sort(row_.begin() + first, row_.end());
     column_start_.push_back(static_cast<int>(row_.size()));
     if (row_.size() == static_cast<std::size_t>(first) + 1) continue;
@@ -61,20 +62,22 @@ void BlockCholesky::find_columns(const std::vector<int>& start,
 
 void BlockCholesky::list_rows() {
   list_start_.assign(at(blocks_) + 1, 0);
-  for (int j = 0; j < blocks_; ++j)
+  for (int j = 0; j < blocks_; ++j) {
     for (int q = column_start_[at(j)] + 1; q < column_start_[at(j) + 1]; ++q)
       ++list_start_[at(row_[at(q)]) + 1];
+  }
   for (int j = 0; j < blocks_; ++j)
     list_start_[at(j) + 1] += list_start_[at(j)];
   list_column_.resize(at(list_start_.back()));
   list_place_.resize(at(list_start_.back()));
   std::copy(list_start_.begin(), list_start_.end() - 1, mark_.begin());
-  for (int j = 0; j < blocks_; ++j)
+  for (int j = 0; j < blocks_; ++j) {
     for (int q = column_start_[at(j)] + 1; q < column_start_[at(j) + 1]; ++q) {
       const int l = mark_[at(row_[at(q)])]++;
       list_column_[at(l)] = j;
       list_place_[at(l)] = q;
     }
+  }
 }
 
 int BlockCholesky::place(int row, int column) const {

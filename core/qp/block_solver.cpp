@@ -14,7 +14,8 @@ constexpr int small_problem = 300;   ///< blocks up to which newton is cheap
 constexpr int large_problem = 1500;  ///< blocks from which it is not tried again
 constexpr int most_newton_factorisations = 20;  ///< then the other method takes over
 constexpr double most_wrong_guesses =
-    0.02;  ///< part of the rows above which a large problem is left to the other method
+    0.2;  ///< part of the rows above which the other method takes over
+constexpr double most_wrong_guesses_of_large = 0.02;
 constexpr int patient_newton_factorisations = 400;  ///< where there is no other method
 constexpr int retry_newton_after = 32;
 constexpr double worth_settling = 1e-4;
@@ -80,8 +81,10 @@ void BlockSolver::run(const QuadraticProgram& program,
   }
   if (method_ == QpMethod::automatic && newton_is_due()) {
     NewtonEffort effort{.most_factorisations = most_newton_factorisations};
-    if (!knows_sides_ && problem_.blocks() > small_problem)
-      effort.most_changes = most_wrong_guesses;
+    if (!knows_sides_ && problem_.blocks() > small_problem) {
+      const bool large = problem_.blocks() > large_problem;
+      effort.most_changes = large ? most_wrong_guesses_of_large : most_wrong_guesses;
+    }
     since_newton_ = 0;
     // A stalled answer may pass, but nearly degenerate programs turn it into a much larger error of
     // x.
@@ -157,9 +160,10 @@ QpResidual BlockSolver::settle(const QuadraticProgram& program,
       rest_[i] = weight_[i] * (problem_.h()[i] - rest_[i]);
     problem_.apply_transposed(rest_.data(), d_.data());
     problem_.solve(d_.data());
-    for (std::size_t b = 0; b < y_.size(); ++b)
+    for (std::size_t b = 0; b < y_.size(); ++b) {
       for (int c = 0; c < 3; ++c)
         y_[b].v[c] += d_[b].v[c];
+    }
     problem_.apply(y_.data(), rest_.data());
   }
   former_x_.swap(x_);

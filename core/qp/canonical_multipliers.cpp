@@ -28,16 +28,18 @@ double largest(const std::vector<Quad>& v) {
 }
 
 void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b)
+  for (std::size_t b = 0; b < y.size(); ++b) {
     for (int c = 0; c < 3; ++c)
       y[b].v[c] += factor * d[b].v[c];
+  }
 }
 
 double slack_of(const QuadraticProgram& p, int row, const std::vector<double>& x) {
   double slack = -p.bound[at(row)];
-  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e)
+  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e) {
     for (int c = 0; c < p.block_size; ++c)
       slack += p.entry(e)[at(c)] * x[at(p.entry_block[at(e)] * p.block_size + c)];
+  }
   return slack;
 }
 
@@ -57,9 +59,10 @@ void CanonicalMultipliers::find(const QuadraticProgram& program,
   select(program, x, multiplier);
   tight_.prepare(program_);
   const bool found = find_values(result.misfit);
-  if (found)
+  if (found) {
     for (std::size_t k = 0; k < row_.size(); ++k)
       result.multiplier[at(row_[k])] = newton_.multiplier()[k];
+  }
   if (with_unique) find_flags(program, result);
 }
 
@@ -69,10 +72,11 @@ void CanonicalMultipliers::select(const QuadraticProgram& program,
                                   const std::vector<double>& multiplier) {
   const ResidualScales& scales = meter_.measure_scales(program);
   kept_.assign(program.bound.size(), false);
-  for (int row = 0; row < program.rows(); ++row)
+  for (int row = 0; row < program.rows(); ++row) {
     kept_[at(row)] = program.is_equality(row)
                      || std::abs(slack_of(program, row, x))
                             <= tight_slack * scales.row_norm[at(row)] * scales.acceleration;
+  }
   keep_rows(program, kept_);
   multiplier_.clear();
   for (const int row : row_)

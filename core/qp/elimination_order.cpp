@@ -80,10 +80,11 @@ void elimination_order(int blocks,
                        const std::vector<int>& neighbour,
                        std::vector<int>& order) {
   order.clear();
-  if (blocks <= most_in_a_word)
+  if (blocks <= most_in_a_word) {
     order_few(blocks, start, neighbour, order);
-  else
+  } else {
     order_many(blocks, start, neighbour, order);
+  }
 }
 
 }  // namespace wuerfel

@@ -23,22 +23,25 @@ int root_of(std::vector<int>& parent, int i) {
 std::map<int, std::vector<int>> components(const std::vector<SparseRow>& rows, int columns) {
   std::vector<int> parent(at(columns));
   std::iota(parent.begin(), parent.end(), 0);
-  for (const SparseRow& row : rows)
+  for (const SparseRow& row : rows) {
     for (const int column : row.columns)
       parent[at(root_of(parent, column))] = root_of(parent, row.columns.front());
+  }
   std::map<int, std::vector<int>> result;
-  for (std::size_t i = 0; i < rows.size(); ++i)
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!rows[i].columns.empty())
       result[root_of(parent, rows[i].columns.front())].push_back(static_cast<int>(i));
+  }
   return result;
 }
 
 /// The rows of one component as the columns of a dense matrix.
 Eigen::MatrixXd dense_columns(const std::vector<SparseRow>& rows, const std::vector<int>& members) {
   std::map<int, int> place;
-  for (const int i : members)
+  for (const int i : members) {
     for (const int column : rows[at(i)].columns)
       place.emplace(column, static_cast<int>(place.size()));
+  }
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(place.size()),
                                                  static_cast<Eigen::Index>(members.size()));
   for (std::size_t k = 0; k < members.size(); ++k) {

@@ -15,18 +15,30 @@ constexpr int patience = 12;
 
 bool is_finite(double end) { return end != unbounded && end != -unbounded; }
 
+struct Range {
+  double low, high;
+};
+
+/// `lambda` moved into its range, `margin` away from the ends if there is room.
+double inside(const Range& range, double lambda, double margin) {
+  margin = std::min(margin, 0.25 * (range.high - range.low));
+  return std::min(std::max(lambda, range.low + margin), range.high - margin);
+}
+
 void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b)
+  for (std::size_t b = 0; b < y.size(); ++b) {
     for (int c = 0; c < 3; ++c)
       y[b].v[c] += factor * d[b].v[c];
+  }
 }
 
 /// Largest distance of a row that pushes from y = 0.
 double size_of(const LeastDistance& problem) {
   double size = 0.0;
-  for (std::size_t i = 0; i < problem.h().size(); ++i)
+  for (std::size_t i = 0; i < problem.h().size(); ++i) {
     if (problem.square()[i] > 0.0 && (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0))
       size = std::max(size, std::abs(problem.h()[i]) / std::sqrt(problem.square()[i]));
+  }
   return size;
 }
 
@@ -84,25 +96,14 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
   const double size = size_of(problem) * (warm ? warm_share : 1.0);
   count_ = 0;
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
-    const double force_min = problem.force_min()[i];
-    const double force_max = problem.force_max()[i];
     const double norm = std::sqrt(problem.square()[i]);
-    const double least = norm > 0.0 ? size / norm : 0.0;
-    double lambda = warm ? lambda_[i] : 0.0;
-    if (norm == 0.0 || force_min == force_max) {
-      lambda = is_finite(force_min) ? force_min : 0.0;
-    } else if (is_finite(force_min) && is_finite(force_max)) {
-      const double margin = std::min(least, 0.25 * (force_max - force_min));
-      lambda = std::clamp(lambda, force_min + margin, force_max - margin);
-    } else if (is_finite(force_min)) {
-      lambda = std::max(lambda, force_min + least);
-    } else if (is_finite(force_max)) {
-      lambda = std::min(lambda, force_max - least);
-    }
-    lambda_[i] = lambda;
-    const bool free = lambda > force_min && lambda < force_max && norm > 0.0;
-    p_[i] = free && is_finite(force_min) ? std::max(size * norm, warm ? p_[i] : 0.0) : 0.0;
-    q_[i] = free && is_finite(force_max) ? std::max(size * norm, warm ? q_[i] : 0.0) : 0.0;
+    const Range range{problem.force_min()[i], problem.force_max()[i]};
+    const bool free = norm > 0.0 && range.low < range.high;
+    lambda_[i] = free                   ? inside(range, warm ? lambda_[i] : 0.0, size / norm)
+                 : is_finite(range.low) ? range.low
+                                        : 0.0;
+    p_[i] = free && is_finite(range.low) ? std::max(size * norm, warm ? p_[i] : 0.0) : 0.0;
+    q_[i] = free && is_finite(range.high) ? std::max(size * norm, warm ? q_[i] : 0.0) : 0.0;
     count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
   }
   problem.apply_transposed(lambda_.data(), y_.data());

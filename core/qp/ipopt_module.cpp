@@ -13,6 +13,7 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
+// NOLINTBEGIN(readability-function-size): the parameters are Ipopt's.
 /// The convex program with exact, constant derivatives.
 class ElasticProgram final : public Ipopt::TNLP {
  public:
@@ -160,6 +161,8 @@ class ElasticProgram final : public Ipopt::TNLP {
   bool has_point_ = false;
   int lost_steps_ = 0;
 };
+
+// NOLINTEND(readability-function-size)
 
 /// Set for a referee: driven as far as rounding goes, since Ipopt measures complementarity as a
 /// product.

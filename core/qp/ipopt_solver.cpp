@@ -64,7 +64,7 @@ ScaledProgram scaled(const QuadraticProgram& p) {
     SparseRow g;
     double h = p.bound[at(row)];
     double square = 0.0;
-    for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e)
+    for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e) {
       for (int c = 0; c < p.block_size; ++c) {
         const int column = p.entry_block[at(e)] * p.block_size + c;
         const double J = p.entry(e)[at(c)];
@@ -75,6 +75,7 @@ ScaledProgram scaled(const QuadraticProgram& p) {
         g.columns.push_back(column);
         g.values.push_back(value);
       }
+    }
     const double norm = square > 0.0 ? std::sqrt(square) : 1.0;
     for (double& value : g.values)
       value /= norm;

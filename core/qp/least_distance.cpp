@@ -59,13 +59,15 @@ void LeastDistance::match_rows(const QuadraticProgram& program) {
   };
   former_row_.assign(program.bound.size(), -1);
   int next = 0;
-  for (int row = 0; row < program.rows(); ++row)
-    for (int former = next; former < std::min(former_rows, next + farthest); ++former)
+  for (int row = 0; row < program.rows(); ++row) {
+    for (int former = next; former < std::min(former_rows, next + farthest); ++former) {
       if (same(row, former)) {
         former_row_[at(row)] = former;
         next = former + 1;
         break;
       }
+    }
+  }
 }
 
 /// Rows in elimination numbers, each with increasing blocks.
@@ -95,13 +97,15 @@ void LeastDistance::number_entries() {
 /// of it empty.
 bool LeastDistance::place_pairs() {
   pair_.clear();
-  for (int row = 0; row < rows_; ++row)
-    for (int a = start_[at(row)]; a < start_[at(row) + 1]; ++a)
+  for (int row = 0; row < rows_; ++row) {
+    for (int a = start_[at(row)]; a < start_[at(row) + 1]; ++a) {
       for (int b = a; b < start_[at(row) + 1]; ++b) {
         const int place = cholesky_.place(block_[at(b)], block_[at(a)]);
         if (place < 0) return false;
         pair_.push_back(place);
       }
+    }
+  }
   return 2 * pair_.size() >= planned_pairs_;
 }
 
@@ -122,12 +126,16 @@ void LeastDistance::plan() {
 void LeastDistance::find_graph() {
   graph_start_.assign(at(blocks_) + 1, 0);
   const auto for_all_couplings = [&](auto&& visit) {
-    for (int row = 0; row < rows_; ++row)
-      for (int a = row_start_[at(row)] * parts_; a < row_start_[at(row) + 1] * parts_; ++a)
-        for (int b = row_start_[at(row)] * parts_; b < row_start_[at(row) + 1] * parts_; ++b)
-          if (a != b)
+    for (int row = 0; row < rows_; ++row) {
+      for (int a = row_start_[at(row)] * parts_; a < row_start_[at(row) + 1] * parts_; ++a) {
+        for (int b = row_start_[at(row)] * parts_; b < row_start_[at(row) + 1] * parts_; ++b) {
+          if (a != b) {
             visit(entry_block_[at(a / parts_)] * parts_ + a % parts_,
                   entry_block_[at(b / parts_)] * parts_ + b % parts_);
+          }
+        }
+      }
+    }
   };
   for_all_couplings([&](int a, int /*b*/) { ++graph_start_[at(a) + 1]; });
   std::partial_sum(graph_start_.begin(), graph_start_.end(), graph_start_.begin());
@@ -154,11 +162,12 @@ void LeastDistance::scale(const QuadraticProgram& program) {
   g_.resize(block_.size());
   h_.resize(at(rows_));
   square_.resize(at(rows_));
-  if (block_size_ == three)
+  if (block_size_ == three) {
     scale_threes(program);
-  else
+  } else {
     for (int row = 0; row < rows_; ++row)
       scale_row(program, row);
+  }
   view_ = {rows_, blocks_, start_.data(), block_.data(), g_.data(), pair_.data()};
 }
 
@@ -168,9 +177,10 @@ void LeastDistance::scale_masses(const QuadraticProgram& program) {
   for (int number = 0; number < blocks_; ++number) {
     const int block = order_[at(number)] / parts_;
     const int part = order_[at(number)] % parts_;
-    for (int c = 0; c < std::min(three, block_size_ - three * part); ++c)
+    for (int c = 0; c < std::min(three, block_size_ - three * part); ++c) {
       root_[at(number)].v[c] =
           1.0 / std::sqrt(program.mass[at(block * block_size_ + three * part + c)]);
+    }
   }
 }
 

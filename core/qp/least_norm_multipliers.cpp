@@ -28,18 +28,20 @@ struct ForceBalance {
 
 double row_slack(const QuadraticProgram& p, int row, const std::vector<double>& x) {
   double slack = -p.bound[at(row)];
-  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e)
+  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e) {
     for (int c = 0; c < p.block_size; ++c)
       slack += p.entry(e)[at(c)] * x[at(p.entry_block[at(e)] * p.block_size + c)];
+  }
   return slack;
 }
 
 /// Adds multiplier * row to a vector of forces.
 template <typename Forces>
 void add_row_force(const QuadraticProgram& p, int row, double multiplier, Forces&& forces) {
-  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e)
+  for (int e = p.row_start[at(row)]; e < p.row_start[at(row) + 1]; ++e) {
     for (int c = 0; c < p.block_size; ++c)
       forces[p.entry_block[at(e)] * p.block_size + c] += multiplier * p.entry(e)[at(c)];
+  }
 }
 
 /// Multipliers of rows that are not tight are put into `fixed`; the others are unknown.

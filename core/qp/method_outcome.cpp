@@ -18,7 +18,8 @@ double worst_row(const LeastDistance& problem,
   double worst = 0.0;
   double nothing = 0.0;  // not a number as soon as something else is not
   for (std::size_t i = 0; i < rows; ++i) {
-    nothing += (rest[i] + lambda[i]) * 0.0;
+    const double zero = (rest[i] + lambda[i]) * 0.0;
+    nothing += zero;
     const double slack = -rest[i];
     const double distance =
         slack > 0.0 ? lambda[i] - problem.force_min()[i] : problem.force_max()[i] - lambda[i];

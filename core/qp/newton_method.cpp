@@ -21,9 +21,10 @@ double dot(const std::vector<Quad>& a, const std::vector<Quad>& b) {
 }
 
 void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b)
+  for (std::size_t b = 0; b < y.size(); ++b) {
     for (int c = 0; c < 3; ++c)
       y[b].v[c] += factor * d[b].v[c];
+  }
 }
 
 /// The multiplier of a row that is not active.
@@ -144,9 +145,10 @@ void NewtonMethod::guess_sides(const LeastDistance& problem) {
     former_side_.swap(side_);
     side_.assign(rows, 0);
     const auto known = static_cast<int>(former_side_.size());
-    for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t i = 0; i < rows; ++i) {
       if (const int former = problem.former_row()[i]; former >= 0 && former < known)
         side_[i] = former_side_[static_cast<std::size_t>(former)];
+    }
   }
   for (std::size_t i = 0; i < rows; ++i) {
     // A side without a bound cannot be taken, and a row without a range has no choice.
@@ -162,7 +164,7 @@ void NewtonMethod::remember(const LeastDistance& problem, const std::vector<doub
   for (std::size_t i = 0; i < multiplier.size(); ++i) {
     const bool low = multiplier[i] <= problem.force_min()[i];
     const bool high = multiplier[i] >= problem.force_max()[i];
-    side_[i] = low ? -1 : high ? 1 : 0;
+    side_[i] = static_cast<signed char>(low ? -1 : high ? 1 : 0);
   }
 }
 
@@ -207,9 +209,9 @@ void NewtonMethod::first_point(LeastDistance& problem) {
 /// `dead` beyond theirs: a row without force and gap would come and go with every rounding error.
 signed char NewtonMethod::side_of(const LeastDistance& problem, std::size_t row, double raw) const {
   const double dead = side_[row] == 0 ? 0.0 : dead_;
-  return raw <= problem.force_min()[row] + dead   ? -1
-         : raw >= problem.force_max()[row] - dead ? 1
-                                                  : 0;
+  const bool low = raw <= problem.force_min()[row] + dead;
+  const bool high = raw >= problem.force_max()[row] - dead;
+  return static_cast<signed char>(low ? -1 : high ? 1 : 0);
 }
 
 /// raw = lambda + rho (h - G y) and on which side of its range it is. True if no side changed.

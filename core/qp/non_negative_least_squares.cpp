@@ -85,16 +85,18 @@ VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& f, double
   for (Index round = 0; round < 10 * A.cols() + 10; ++round) {
     const VectorXd gradient = A.transpose() * (f - A * passive.u());
     Index best = -1;
-    for (Index j = 0; j < A.cols(); ++j)
+    for (Index j = 0; j < A.cols(); ++j) {
       if (!passive.has(j) && !barred[static_cast<std::size_t>(j)] && gradient[j] > threshold[j]
           && (best < 0 || gradient[j] > gradient[best]))
         best = j;
+    }
     if (best < 0) break;
     passive.insert(best);
-    if (passive.relax(best))
+    if (passive.relax(best)) {
       std::fill(barred.begin(), barred.end(), false);
-    else
+    } else {
       barred[static_cast<std::size_t>(best)] = true;
+    }
   }
   return passive.u();
 }

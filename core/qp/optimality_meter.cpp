@@ -31,10 +31,11 @@ void for_blocks(const QuadraticProgram& p, std::size_t row, Size size, Visit&& v
 /// The same; the usual size is known to the compiler.
 template <typename Visit>
 void for_row(const QuadraticProgram& p, std::size_t row, Visit&& visit) {
-  if (p.block_size == 3)
+  if (p.block_size == 3) {
     for_blocks(p, row, std::integral_constant<std::size_t, 3>{}, visit);
-  else
+  } else {
     for_blocks(p, row, at(p.block_size), visit);
+  }
 }
 
 /// Zero if all values are numbers, else not a number.
@@ -63,11 +64,12 @@ void add_row(double force_min,
   const double distance = slack > 0.0 ? lambda - force_min : force_max - lambda;
   if (distance == 0.0) return;
   const double gap = relative(std::abs(slack) / norm, acceleration);
-  if (distance == unbounded)
+  if (distance == unbounded) {
     residual.primal = std::max(residual.primal, gap);
-  else
+  } else {
     residual.complementarity = std::max(residual.complementarity,
                                         std::min(gap, relative(std::abs(distance) * norm, force)));
+  }
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ const ResidualScales& OptimalityMeter::measure_scales(const QuadraticProgram& p)
   scales_.acceleration = 0.0;
   scales_.weight = 0.0;
   unit_.resize(p.mass.size());
-  for (int first = 0; first < p.unknowns(); first += p.block_size)
+  for (int first = 0; first < p.unknowns(); first += p.block_size) {
     for (int j = first; j < first + p.block_size; ++j) {
       const double f = std::abs(p.target[at(j)]);
       const double M = p.mass[at(j)];
@@ -87,6 +89,7 @@ const ResidualScales& OptimalityMeter::measure_scales(const QuadraticProgram& p)
       scales_.acceleration = std::max(scales_.acceleration, f * unit);
       scales_.weight = std::max(scales_.weight, M * f / unit);
     }
+  }
   double largest = 0.0;
   scales_.row_norm.resize(p.bound.size());
   for (int row = 0; row < p.rows(); ++row) {
@@ -141,9 +144,10 @@ QpResidual OptimalityMeter::measure(const QuadraticProgram& program,
 
   QpResidual residual;
   residual.stationarity = relative(unbalanced_force(program, x, multiplier), force);
-  for (std::size_t i = 0; i < multiplier.size(); ++i)
+  for (std::size_t i = 0; i < multiplier.size(); ++i) {
     add_row(program.force_min[i], program.force_max[i], slack_[i], multiplier[i],
             scales_.row_norm[i], force, scales_.acceleration, residual);
+  }
   return residual;
 }
 

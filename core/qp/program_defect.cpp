@@ -12,9 +12,10 @@ namespace {
 bool all_finite(const std::vector<double>& values) {
   std::array<double, 4> sum{};
   std::size_t i = 0;
-  for (; i + 4 <= values.size(); i += 4)
+  for (; i + 4 <= values.size(); i += 4) {
     for (std::size_t k = 0; k < 4; ++k)
       sum[k] += values[i + k] * 0.0;
+  }
   for (; i < values.size(); ++i)
     sum[0] += values[i] * 0.0;
   return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;

@@ -74,10 +74,11 @@ Timing measure(QpSolver& solver, const std::vector<QuadraticProgram>& programs, 
 }
 
 void print_time(double s) {
-  if (s < 1e-3)
+  if (s < 1e-3) {
     std::printf(" %8.2f us", s * 1e6);
-  else
+  } else {
     std::printf(" %8.2f ms", s * 1e3);
+  }
 }
 
 struct Scene {

@@ -133,12 +133,14 @@ QuadraticProgram wall(int layers, int columns, const ZooOptions& options) {
     for (int k = 0; k < (whole ? columns : columns - 1); ++k)
       add(2.0 * k + (whole ? 0.0 : 1.0), 2.0 * k + (whole ? 2.0 : 3.0));
     if (!whole) add(2.0 * columns - 1.0, 2.0 * columns);
-    for (const Brick& on : bricks)
+    for (const Brick& on : bricks) {
       for (const Brick& from : below)
         add_bed(builder, on, from, layer);
-    for (std::size_t k = 0; k + 1 < bricks.size(); ++k)
+    }
+    for (std::size_t k = 0; k + 1 < bricks.size(); ++k) {
       for (const double y : {layer + 0.0, layer + 1.0})
         builder.add_contact(bricks[k + 1].body, bricks[k].body, bricks[k].right, y, 1.0, 0.0);
+    }
     below = bricks;
   }
   return builder.take();
@@ -153,9 +155,10 @@ QuadraticProgram pyramid(int layers, const ZooOptions& options) {
       const double x = 1.1 * k + 0.55 * layer;
       bricks.push_back({builder.add_body(x, layer + 0.5, 1.0, 1.0), x - 0.5, x + 0.5});
     }
-    for (const Brick& on : bricks)
+    for (const Brick& on : bricks) {
       for (const Brick& from : below)
         add_bed(builder, on, from, layer);
+    }
     below = bricks;
   }
   return builder.take();

@@ -30,10 +30,11 @@ void add_rows(const nlohmann::json& triplets,
               QuadraticProgram& program) {
   Rows rows = rows_of(triplets, program.block_size);
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (equality)
+    if (equality) {
       program.add_equality(bounds[i]);
-    else
+    } else {
       program.add_inequality(bounds[i]);
+    }
     for (const auto& [block, coefficients] : rows[static_cast<int>(i)])
       program.add_entry(block, coefficients);
   }
@@ -64,9 +65,10 @@ ReferenceProgram read_reference_program(const std::string& stem) {
     if (type == "qp_objective") reference.objective = value.get<double>();
     if (type != "qp_multipliers") continue;
     reference.unique = expected.at("unique").get<bool>();
-    for (const char* part : {"nu", "lambda"})
+    for (const char* part : {"nu", "lambda"}) {
       for (const auto& v : value.at(part))
         reference.least_norm_multipliers.push_back(v.get<double>());
+    }
   }
   return reference;
 }
