@@ -52,7 +52,7 @@ struct Simulation::Impl {
     while (static_cast<double>(whole_steps + 1) * settings.step <= t + same_time * settings.step) {
       stepper.step(grid, settings.step, book);
       grid.t = static_cast<double>(++whole_steps) * settings.step;
-      note_rods(grid.state);
+      if (!Stepper::at_rest(grid)) note_rods(grid.state);
     }
     const double rest = t - grid.t;
     if (rest <= same_time * settings.step) return;
@@ -118,8 +118,7 @@ std::vector<std::string> Simulation::moved() const {
 
 bool Simulation::at_rest() const {
   impl_->stepper.accelerate(impl_->current(), impl_->book);
-  const std::vector<char>& resting = impl_->current().resting;
-  return std::ranges::all_of(resting, [](char r) { return r != 0; });
+  return Stepper::at_rest(impl_->current());
 }
 
 }  // namespace wuerfel

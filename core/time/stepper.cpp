@@ -62,7 +62,7 @@ bool contains(const std::vector<Contact>& contacts, const Contact& c) {
   return std::ranges::any_of(contacts, [&](const Contact& d) { return d.id() == c.id(); });
 }
 
-bool at_rest(const Island& island, const State& state) {
+bool is_still(const Island& island, const State& state) {
   return std::ranges::all_of(island.cubes, [&](int cube) {
     const BodyState& s = state[static_cast<std::size_t>(cube)];
     return s.velocity.isZero(0.0) && s.spin == 0.0;
@@ -74,9 +74,13 @@ bool at_rest(const Island& island, const State& state) {
 Stepper::Stepper(const System& system, const MotionSettings& settings)
     : system_(&system), settings_(settings), dynamics_(system, settings) {}
 
+bool Stepper::at_rest(const Moment& moment) {
+  return std::ranges::all_of(moment.resting, [](char r) { return r != 0; });
+}
+
 void Stepper::step(Moment& moment, double dt, Bookkeeping& book) {
   // What rests altogether stays: not even its contacts are looked for.
-  if (std::ranges::all_of(moment.resting, [](char r) { return r != 0; })) {
+  if (at_rest(moment)) {
     book.cost.skipped_rest += static_cast<long>(moment.islands.size());
     moment.t += dt;
     ++book.cost.steps;
@@ -188,7 +192,7 @@ void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
     keep_book(solution, book);
     const double limit = rest_acceleration * system_->gravity.norm();
     const bool rests = settings_.skips.rest && solution.status == QpStatus::optimal
-                       && at_rest(island, moment.state)
+                       && is_still(island, moment.state)
                        && largest_acceleration(*system_, island, solution.twists) <= limit;
     for (std::size_t k = 0; k < island.cubes.size(); ++k) {
       const auto cube = static_cast<std::size_t>(island.cubes[k]);

@@ -16,6 +16,8 @@ class Stepper {
   void arrive(Moment& moment, Bookkeeping& book);
   /// Accelerations and forces of a moment; found once.
   void accelerate(Moment& moment, Bookkeeping& book);
+  /// Whether every cube rests with a certificate, so that steps change nothing but the time.
+  [[nodiscard]] static bool at_rest(const Moment& moment);
   /// One step of `dt` s from a moment that has arrived to the next.
   void step(Moment& moment, double dt, Bookkeeping& book);
 
