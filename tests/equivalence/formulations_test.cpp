@@ -12,7 +12,6 @@
 namespace wuerfel::test {
 namespace {
 
-// Observed: 6e-12 g at worst.
 constexpr double same_acceleration = 1e-10;  // of g
 
 Scene shipped(const std::string& name) {

@@ -8,7 +8,6 @@
 namespace wuerfel::test {
 namespace {
 
-// Observed: 4e-11 m/s at worst.
 constexpr double velocity_tolerance = 1e-9;
 
 class Impact : public testing::TestWithParam<std::string> {};

@@ -127,7 +127,7 @@ TEST(Motion, TippingConvergesWithFirstOrder) {
   for (const Integrator integrator : {Integrator::symplectic, Integrator::euler}) {
     const double coarse = tipping_error(1.0 / 120.0, integrator);
     const double fine = tipping_error(1.0 / 480.0, integrator);
-    // Observed: 4.0 +- 0.1 for a quarter of the step.
+    // First order: a quarter of the error for a quarter of the step.
     EXPECT_LT(fine, 0.35 * coarse);
     EXPECT_GT(fine, 0.15 * coarse);
     EXPECT_LT(coarse, 0.02);

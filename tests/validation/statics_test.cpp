@@ -10,10 +10,8 @@
 namespace wuerfel::test {
 namespace {
 
-// Observed: 3e-11 g at worst. A wrong factor in Eq. (7) shows from 1e-2 g on.
 constexpr double acceleration_tolerance = 1e-9;  // of g
-// Observed: 2e-10 of the weight at worst.
-constexpr double force_tolerance = 1e-8;  // of the total weight
+constexpr double force_tolerance = 1e-8;         // of the total weight
 
 struct Way {
   Formulation formulation;

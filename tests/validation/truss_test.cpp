@@ -10,7 +10,6 @@
 namespace wuerfel::test {
 namespace {
 
-// Observed: 2e-12 and 2e-10 (of 118 N).
 constexpr double acceleration_tolerance = 1e-9;
 constexpr double force_tolerance = 1e-8;
 

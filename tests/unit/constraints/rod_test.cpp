@@ -9,7 +9,6 @@ namespace wuerfel::test {
 namespace {
 
 constexpr int trials = 200;
-// Observed: 2e-12 and 2e-9 (rounding of the second difference).
 constexpr double first_tolerance = 1e-10;
 constexpr double second_tolerance = 1e-7;
 

@@ -13,8 +13,6 @@ namespace {
 constexpr int trials = 200;
 constexpr double first_step = 1e-3;
 constexpr double second_step = 2e-3;
-// Observed: 2e-12 for the first and 2e-9 for the second differences; a wrong sign or factor shows
-// from 1e-2 on.
 constexpr double first_tolerance = 1e-10;
 constexpr double second_tolerance = 1e-7;
 
