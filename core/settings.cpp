@@ -4,6 +4,8 @@ namespace wuerfel {
 
 std::string_view to_string(Integrator integrator) {
   switch (integrator) {
+    case Integrator::event:
+      return "event";
     case Integrator::euler:
       return "euler";
     case Integrator::symplectic:

@@ -8,6 +8,7 @@
 namespace wuerfel {
 
 enum class Integrator {
+  event,       ///< from event to event, with error control
   euler,       ///< Algorithm 1 exactly as printed: p takes the old v
   symplectic,  ///< semi-implicit Euler: p takes the new v
 };

@@ -264,7 +264,10 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
   return corner_on_side(contact.on, b, contact.corner, contact.from, a, contact.side);
 }
 
-void ContactFinder::find(const System& system, const State& state, std::vector<Contact>& contacts) {
+void ContactFinder::find(const System& system,
+                         const State& state,
+                         std::vector<Contact>& contacts,
+                         double tolerance) {
   contacts.clear();
   deepest_ = {};
   pose_boxes(system, state, boxes_);
@@ -273,7 +276,7 @@ void ContactFinder::find(const System& system, const State& state, std::vector<C
   for (; boxes < system.count() && system.body(boxes).kind != BodyKind::plane; ++boxes) {
     const Box& box = boxes_[static_cast<std::size_t>(boxes)];
     const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                        + Vec2::Constant(touching_tolerance * smaller_side(system, boxes));
+                        + Vec2::Constant(tolerance * smaller_side(system, boxes));
     bounds_.push_back({box.center - extent, box.center + extent});
   }
   const auto note = [&](double separation, double scale, int a, int b) {
@@ -283,7 +286,7 @@ void ContactFinder::find(const System& system, const State& state, std::vector<C
     if (!system.is_cube(pair.first)) continue;
     const double scale =
         std::min(smaller_side(system, pair.first), smaller_side(system, pair.second));
-    note(add_pair(system, state, boxes_, pair, touching_tolerance * scale, contacts), scale,
+    note(add_pair(system, state, boxes_, pair, tolerance * scale, contacts), scale,
          pair.first, pair.second);
   }
   for (int p = boxes; p < system.count(); ++p) {
@@ -292,9 +295,9 @@ void ContactFinder::find(const System& system, const State& state, std::vector<C
       const Box& box = boxes_[static_cast<std::size_t>(i)];
       const double scale = smaller_side(system, i);
       const double separation = plane_separation(plane.point, plane.normal, box);
-      if (separation > touching_tolerance * scale) continue;
+      if (separation > tolerance * scale) continue;
       note(separation, scale, i, p);
-      add_plane(p, plane, i, box, touching_tolerance * scale, contacts);
+      add_plane(p, plane, i, box, tolerance * scale, contacts);
     }
   }
 }

@@ -68,10 +68,13 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
 /// Finds contacts. Keeps its memory, nothing else, from call to call.
 class ContactFinder {
  public:
-  /// All contacts with gap <= touching_tolerance times the smaller side, in an order that depends
-  /// on the state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
+  /// All contacts with gap <= `tolerance` times the smaller side, in an order that depends on the
+  /// state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
   /// manifold: design, section 1.
-  void find(const System& system, const State& state, std::vector<Contact>& contacts);
+  void find(const System& system,
+            const State& state,
+            std::vector<Contact>& contacts,
+            double tolerance = touching_tolerance);
 
   /// Boxes posed by the last `find`.
   [[nodiscard]] std::span<const Box> boxes() const { return boxes_; }

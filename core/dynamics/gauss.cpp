@@ -10,6 +10,18 @@ namespace {
 /// A former answer is taken if its residual is below this: what a new solve would reach as well.
 constexpr double certificate_tolerance = 1e-12;
 
+/// Row times x less its bound.
+double slack(const QuadraticProgram& program, std::size_t row, const std::vector<double>& x) {
+  double sum = -program.bound[row];
+  for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
+    const auto block = static_cast<std::size_t>(program.entry_block[static_cast<std::size_t>(e)]);
+    const std::span<const double> g = program.entry(e);
+    for (std::size_t k = 0; k < g.size(); ++k)
+      sum += g[k] * x[block * g.size() + k];
+  }
+  return sum;
+}
+
 }  // namespace
 
 IslandDynamics::IslandDynamics(const System& system, const MotionSettings& settings)
@@ -42,6 +54,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   solution.status = result.status;
   solution.residual = result.residual.worst();
   solution.forces.assign(island.contacts.size(), 0.0);
+  solution.slacks.assign(island.contacts.size(), unbounded);
   if (static_cast<int>(result.x.size()) != program.unknowns()
       || !std::isfinite(solution.residual)) {
     // Without an answer nothing is pushed: the caller sees the status and counts it.
@@ -51,7 +64,10 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   solution.twists = builder_.twists(state, island, result.x);
   auto row = static_cast<std::size_t>(builder_.first_contact_row());
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use_[k] != SideUse::none) solution.forces[k] = result.multiplier[row++];
+    if (use_[k] == SideUse::none) continue;
+    solution.forces[k] = result.multiplier[row];
+    solution.slacks[k] = slack(program, row, result.x);
+    ++row;
   }
   return solution;
 }
@@ -62,6 +78,14 @@ IslandSolution IslandDynamics::accelerations(const State& state, const Island& i
     const bool active = contact_motion(*system_, state, contact) != ContactMotion::opening;
     use_.push_back(active ? SideUse::inequality : SideUse::none);
   }
+  builder_.acceleration(state, island, use_);
+  return solve(state, island, accelerations_);
+}
+
+IslandSolution IslandDynamics::accelerations(const State& state,
+                                             const Island& island,
+                                             std::span<const SideUse> use) {
+  use_.assign(use.begin(), use.end());
   builder_.acceleration(state, island, use_);
   return solve(state, island, accelerations_);
 }

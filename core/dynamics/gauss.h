@@ -17,6 +17,9 @@ struct [[nodiscard]] IslandSolution {
   bool skipped = false;        ///< the island's former answer passed the test: nothing was solved
   std::vector<Twist> twists;   ///< per cube: accelerations, or velocities after an impact
   std::vector<double> forces;  ///< per contact: N, or N s; 0 where the contact is not active
+  /// Per contact: J x - b, which is the gap's second rate (m/s^2), its rate or the gap itself;
+  /// infinite where the contact is not active.
+  std::vector<double> slacks;
 };
 
 /// Builds and solves programs. Remembers, island by island, what a solver can start from; an island
@@ -27,6 +30,10 @@ class IslandDynamics {
 
   /// Accelerations (m/s^2, rad/s^2) and contact forces under the contacts that do not open.
   IslandSolution accelerations(const State& state, const Island& island);
+  /// The same with active contacts as `use` says, one entry per contact.
+  IslandSolution accelerations(const State& state,
+                               const Island& island,
+                               std::span<const SideUse> use);
   /// Velocities after all contacts of the island have hit at once, and their impulses.
   IslandSolution impact(const State& state, const Island& island);
   /// Velocities nearest to those of `state` with the gap rates of all contacts zero.

@@ -12,10 +12,11 @@
 namespace wuerfel {
 
 struct Box {
-  Vec2 center = Vec2::Zero();    ///< m
-  Vec2 half = Vec2::Zero();      ///< m, half width and half height
-  Vec2 axis = Vec2::UnitX();     ///< unit vector along the width: (cos, sin) of the angle
-  std::array<Vec2, 4> arm = {};  ///< m, corners relative to the centre
+  Vec2 center = Vec2::Zero();  ///< m
+  Vec2 half = Vec2::Zero();    ///< m, half width and half height
+  Vec2 axis = Vec2::UnitX();   ///< unit vector along the width: (cos, sin) of the angle
+  std::array<Vec2, 4> arm = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
+                             Vec2::Zero()};  ///< m, corners relative to the centre
 
   [[nodiscard]] Vec2 corner(int k) const { return center + arm[static_cast<std::size_t>(k)]; }
   /// Unit normal of side e, pointing out.

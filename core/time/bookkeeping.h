@@ -20,6 +20,7 @@ struct Event {
   std::string from;           ///< body it comes from
   Vec2 point = Vec2::Zero();  ///< m
   double impulse = 0.0;       ///< N s
+  double loss = 0.0;          ///< J, energy that the whole impact took; at its first contact only
 };
 
 /// Invariants kept book of in every run.
@@ -28,6 +29,7 @@ struct Audit {
   double max_rod_error = 0.0;     ///< largest relative change of a rod's length
   double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
   long missed_solves = 0;         ///< programs whose residual missed the tolerance
+  long unresolved = 0;            ///< times at which the event search or the error control gave up
   double energy_start = 0.0;      ///< J
   double energy_end = 0.0;        ///< J
   double impact_loss = 0.0;       ///< J, taken by impacts

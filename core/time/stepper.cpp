@@ -103,6 +103,15 @@ void Stepper::step(Moment& moment, double dt, Bookkeeping& book) {
   arrive(moment, book);
 }
 
+void Stepper::observe(Moment& moment, Bookkeeping& book) {
+  moment.resting.assign(moment.state.size(), 0);
+  std::vector<Contact> contacts;
+  finder_.find(*system_, moment.state, contacts);
+  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  find_islands(*system_, contacts, moment.islands);
+  moment.solutions.assign(moment.islands.size(), {});
+}
+
 void Stepper::arrive(Moment& moment, Bookkeeping& book) {
   const Moment before = std::move(moment);
   moment = {};

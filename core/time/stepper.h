@@ -14,6 +14,8 @@ class Stepper {
 
   /// Contacts of a state that was just reached, and the impacts that they call for.
   void arrive(Moment& moment, Bookkeeping& book);
+  /// Contacts of a state that is only looked at: no impacts.
+  void observe(Moment& moment, Bookkeeping& book);
   /// Accelerations and forces of a moment; found once.
   void accelerate(Moment& moment, Bookkeeping& book);
   /// Whether every cube rests with a certificate, so that steps change nothing but the time.

@@ -1,0 +1,81 @@
+#include "core/dynamics/closed_contacts.h"
+
+#include <algorithm>
+
+namespace wuerfel {
+
+ClosedContacts::ClosedContacts(const System& system)
+    : system_(&system), builder_(system, Formulation::rigid) {}
+
+void ClosedContacts::close(const std::vector<Contact>& contacts, const std::vector<char>& resting) {
+  island_.contacts = contacts;
+  island_.cubes.clear();
+  for (const Contact& c : contacts) {
+    for (const int body : {c.on, c.from}) {
+      if (system_->is_cube(body)) island_.cubes.push_back(body);
+    }
+  }
+  std::ranges::sort(island_.cubes);
+  const auto doubles = std::ranges::unique(island_.cubes);
+  island_.cubes.erase(doubles.begin(), doubles.end());
+  use_.assign(contacts.size(), SideUse::equality);
+  resting_ = resting;
+}
+
+void ClosedContacts::pose(const State& state) {
+  pose_boxes(*system_, state, boxes_);
+  for (Contact& c : island_.contacts)
+    c = at_poses(*system_, boxes_, c);
+}
+
+void ClosedContacts::solve() {
+  solver_.factorise(builder_.program());
+  solver_.solve(builder_.program(), x_, forces_);
+}
+
+void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelerations) {
+  accelerations.assign(state.size(), {system_->gravity, 0.0});
+  for (std::size_t i = 0; i < resting_.size(); ++i) {
+    if (resting_[i] != 0) accelerations[i] = {};
+  }
+  forces_.clear();
+  if (island_.contacts.empty()) return;
+  pose(state);
+  builder_.acceleration(state, island_, use_);
+  solve();
+  const double* at = x_.data();
+  for (const int cube : island_.cubes) {
+    accelerations[static_cast<std::size_t>(cube)] = {Vec2(at[0], at[1]), at[2]};
+    at += 3;
+  }
+}
+
+void ClosedContacts::project_positions(State& state) {
+  if (island_.contacts.empty()) return;
+  pose(state);
+  builder_.position(state, island_, use_);
+  solve();
+  const double* at = x_.data();
+  for (const int cube : island_.cubes) {
+    BodyState& s = state[static_cast<std::size_t>(cube)];
+    s.position += Vec2(at[0], at[1]);
+    s.angle += at[2];
+    at += 3;
+  }
+}
+
+void ClosedContacts::project_velocities(State& state) {
+  if (island_.contacts.empty()) return;
+  pose(state);
+  builder_.velocity(state, island_, use_);
+  solve();
+  const double* at = x_.data();
+  for (const int cube : island_.cubes) {
+    BodyState& s = state[static_cast<std::size_t>(cube)];
+    s.velocity = Vec2(at[0], at[1]);
+    s.spin = at[2];
+    at += 3;
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,53 @@
+/// Smooth motion: a set of contacts that stay closed. Their sides are equalities, so accelerations
+/// follow from one linear system, not from a search, and are smooth functions of the state.
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/programs.h"
+#include "core/qp/equality_solver.h"
+
+namespace wuerfel {
+
+/// Equations of motion  M a = M g + J' lambda,  J a + c = 0  of cubes with closed contacts; rows
+/// are those of Eq. (7), pulled back. Cubes at rest (certified) neither move nor enter. Always in
+/// the rigid form.
+class ClosedContacts {
+ public:
+  explicit ClosedContacts(const System& system);
+
+  /// From now on these contacts are closed. `resting`, one per cube, names the cubes that stay
+  /// where they are; no contact may join them to cubes that move.
+  void close(const std::vector<Contact>& contacts, const std::vector<char>& resting);
+
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return island_.contacts; }
+  /// Whether some of the contacts depend on others, so that their forces are not the only ones.
+  [[nodiscard]] bool redundant() const { return solver_.dependent_rows() > 0; }
+
+  /// Accelerations of all cubes (m/s^2, rad/s^2). Afterwards `contacts` are those at `state`, and
+  /// `forces` theirs.
+  void accelerate(const State& state, std::vector<Twist>& accelerations);
+  /// Forces (N) found by the last `accelerate`; they may be negative: then the contact pulls.
+  [[nodiscard]] const std::vector<double>& forces() const { return forces_; }
+
+  /// Moves the cubes by the least (in the mass metric) that closes the gaps to first order.
+  void project_positions(State& state);
+  /// Changes velocities by the least that makes the gaps' rates zero.
+  void project_velocities(State& state);
+
+ private:
+  void pose(const State& state);
+  void solve();
+
+  const System* system_;
+  ProgramBuilder builder_;
+  EqualitySolver solver_;
+  Island island_;
+  std::vector<char> resting_;
+  std::vector<SideUse> use_;
+  std::vector<Box> boxes_;
+  std::vector<double> x_;
+  std::vector<double> forces_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,60 @@
+/// The program when it is known which rows are tight: minimise 1/2 (x - f)' M (x - f) under J x =
+/// b. No search, one factorisation: the right-hand side of smooth motion between events.
+#pragma once
+
+#include <vector>
+
+#include "core/qp/quadratic_program.h"
+
+namespace wuerfel {
+
+/// Solves J M^-1 J' lambda = b - J f by a Cholesky factorisation within the envelope of the matrix
+/// (George and Liu, "Computer Solution of Large Sparse Positive Definite Systems", 1981). A row
+/// that depends on the rows before it is left out: its multiplier is zero, and it holds by itself
+/// where the rows are consistent. Keeps its memory and, while the rows couple the same blocks, the
+/// envelope.
+class EqualitySolver {
+ public:
+  /// All rows are taken as equalities, whatever range their multipliers have. The coefficients must
+  /// be numbers and the masses positive.
+  void factorise(const QuadraticProgram& program);
+
+  /// `x` (n) and `multiplier` (m) for the bounds and targets of `program`, whose coefficients are
+  /// those of the last `factorise`. Refined until J x = b to rounding.
+  void solve(const QuadraticProgram& program,
+             std::vector<double>& x,
+             std::vector<double>& multiplier);
+
+  /// Number of rows that were left out.
+  [[nodiscard]] int dependent_rows() const { return dependent_; }
+
+ private:
+  /// Two entries on one block, of rows i >= j.
+  struct Coupling {
+    int i = 0;
+    int j = 0;
+    int entry_i = 0;
+    int entry_j = 0;
+  };
+  void find_envelope(const QuadraticProgram& program);
+  void substitute(std::vector<double>& r) const;
+  [[nodiscard]] double& at(int i, int j) {
+    return factor_[static_cast<std::size_t>(start_[static_cast<std::size_t>(i)] + j)];
+  }
+  [[nodiscard]] double at(int i, int j) const {
+    return factor_[static_cast<std::size_t>(start_[static_cast<std::size_t>(i)] + j)];
+  }
+
+  std::vector<int> row_start_;  ///< of the program that the envelope belongs to
+  std::vector<int> entry_block_;
+  std::vector<Coupling> couplings_;
+  std::vector<int> first_;  ///< first column of row i within the envelope
+  std::vector<int>
+      start_;  ///< place of column 0 of row i (which may lie before the row) in factor_
+  std::vector<double> factor_;
+  std::vector<double> inverse_;  ///< 1 / diagonal; 0 for a row that is left out
+  std::vector<double> residual_;
+  int dependent_ = 0;
+};
+
+}  // namespace wuerfel

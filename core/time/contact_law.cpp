@@ -1,0 +1,329 @@
+#include "core/time/contact_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// Rest is certified where the acceleration is below this share of g (design, "Verdict").
+constexpr double rest_acceleration = 1e-10;
+/// Speeds below this share of V are snapped to zero where rest can then be certified.
+constexpr double rest_speed = 1e-9;
+/// A contact was hit where its impulse exceeds this share of the island's largest.
+constexpr double hit_share = 1e-9;
+/// Overlap deeper than this share of the smaller side is removed.
+constexpr double overlap_share = 1e-13;
+/// After an impact a gap that opens more slowly than this share of V, and that the forces would
+/// close again, is closed at once: it would rise by 5e-11 of the size and come back.
+constexpr double bounce_speed = 1e-5;
+/// A force and a gap's acceleration below these shares of the largest force and of g leave it open
+/// which of them will be positive.
+constexpr double undecided_force = 1e-6;
+constexpr double undecided_acceleration = 1e-6;
+/// How far the program looks ahead then, in units of L / V.
+constexpr double peek_time = 1e-7;
+/// A contact is closed if its gap's acceleration is below this share of g, or below the share that
+/// rounding leaves of the largest force.
+constexpr double closed_acceleration = 1e-9;
+constexpr double closed_rounding = 1e-11;
+
+void set_velocities(const Island& island, const std::vector<Twist>& velocities, State& state) {
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
+    s.velocity = velocities[k].linear;
+    s.spin = velocities[k].angular;
+  }
+}
+
+IndexPair pair_of(const Contact& c) { return std::minmax(c.on, c.from); }
+
+}  // namespace
+
+void keep_book(const IslandSolution& solution, Bookkeeping& book) {
+  ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
+  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
+  if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
+}
+
+ContactLaw::ContactLaw(const System& system, const MotionSettings& settings)
+    : system_(&system), dynamics_(system, settings) {}
+
+void ContactLaw::apply(
+    State& state, double t, double touching, Closure& closure, Bookkeeping& book) {
+  scales_ = scales_of(*system_, state);
+  closure.resting.resize(state.size(), 0);
+  const std::vector<Contact> before = std::move(closure.closed);
+  closure.closed.clear();
+  finder_.find(*system_, state, contacts_, touching);
+  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  find_islands(*system_, contacts_, islands_);
+  const std::size_t first_event = book.events.size();
+  // A cube that touches nothing any more does not rest.
+  std::vector<char> touched(state.size(), 0);
+  for (Island& island : islands_) {
+    for (const int cube : island.cubes)
+      touched[static_cast<std::size_t>(cube)] = 1;
+    const bool rests = std::ranges::all_of(island.cubes, [&](int cube) {
+      return closure.resting[static_cast<std::size_t>(cube)] != 0;
+    });
+    if (rests) {
+      ++book.cost.skipped_rest;
+      continue;
+    }
+    apply_island(island, state, t, closure, book);
+  }
+  const bool falls = !system_->gravity.isZero(0.0);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (touched[i] != 0) continue;
+    ++book.cost.skipped_free;
+    closure.resting[i] = !falls && state[i].velocity.isZero(0.0) && state[i].spin == 0.0 ? 1 : 0;
+  }
+  log_changes(before, closure, t, first_event, book);
+}
+
+void ContactLaw::apply_island(
+    Island& island, State& state, double t, Closure& closure, Bookkeeping& book) {
+  const bool rested = std::ranges::any_of(
+      island.cubes, [&](int cube) { return closure.resting[static_cast<std::size_t>(cube)] != 0; });
+  for (const int cube : island.cubes)
+    closure.resting[static_cast<std::size_t>(cube)] = 0;
+  separate(island, state, book);
+  const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
+    return contact_motion(*system_, state, c) == ContactMotion::closing;
+  });
+  const bool hit = closing && strike(island, state, t, book);
+  if (comes_to_rest(island, state, book)) {
+    for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+      const int cube = island.cubes[k];
+      closure.resting[static_cast<std::size_t>(cube)] = 1;
+      if (rested || t == 0.0) continue;
+      const auto touching = std::ranges::find_if(
+          island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
+      const int other = touching->on == cube ? touching->from : touching->on;
+      book.events.push_back({t, EventKind::rest, system_->body(cube).name,
+                             system_->body(other).name, touching->point, 0.0, 0.0});
+    }
+    return;
+  }
+  close(island, settle_contacts(island, state, hit, book), closure);
+}
+
+/// Removes what bodies overlap by, which is rounding, so that it cannot add up.
+void ContactLaw::separate(Island& island, State& state, Bookkeeping& book) {
+  const bool overlaps = std::ranges::any_of(island.contacts, [&](const Contact& c) {
+    return c.gap < -overlap_share * contact_scale(*system_, c);
+  });
+  if (!overlaps) return;
+  use_.assign(island.contacts.size(), SideUse::inequality);
+  const IslandSolution solution = dynamics_.correction(state, island, use_);
+  keep_book(solution, book);
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
+    s.position += solution.twists[k].linear;
+    s.angle += solution.twists[k].angular;
+  }
+  std::vector<Box> boxes;
+  pose_boxes(*system_, state, boxes);
+  for (Contact& c : island.contacts)
+    c = at_poses(*system_, boxes, c);
+}
+
+bool ContactLaw::strike(const Island& island, State& state, double t, Bookkeeping& book) {
+  const double before = kinetic_energy(*system_, state);
+  const IslandSolution after = dynamics_.impact(state, island);
+  keep_book(after, book);
+  set_velocities(island, after.twists, state);
+  double loss = before - kinetic_energy(*system_, state);
+  const double largest = std::ranges::max(after.forces);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (after.forces[k] <= hit_share * largest) continue;
+    book.events.push_back({t, EventKind::impact, system_->body(c.on).name,
+                           system_->body(c.from).name, c.point, after.forces[k], loss});
+    loss = 0.0;
+  }
+  return true;
+}
+
+bool ContactLaw::comes_to_rest(const Island& island, State& state, Bookkeeping& book) {
+  std::vector<BodyState> moving;
+  for (const int cube : island.cubes) {
+    BodyState& s = state[static_cast<std::size_t>(cube)];
+    const double speed =
+        s.velocity.norm() + 0.5 * system_->body(cube).size.norm() * std::abs(s.spin);
+    if (speed > rest_speed * scales_.speed) return false;
+    moving.push_back(s);
+  }
+  for (const int cube : island.cubes) {
+    state[static_cast<std::size_t>(cube)].velocity.setZero();
+    state[static_cast<std::size_t>(cube)].spin = 0.0;
+  }
+  use_.assign(island.contacts.size(), SideUse::inequality);
+  const IslandSolution solution = dynamics_.accelerations(state, island, use_);
+  keep_book(solution, book);
+  if (solution.status == QpStatus::optimal
+      && largest_acceleration(*system_, island, solution.twists)
+             <= rest_acceleration * scales_.gravity)
+    return true;
+  for (std::size_t k = 0; k < island.cubes.size(); ++k)
+    state[static_cast<std::size_t>(island.cubes[k])] = moving[k];
+  return false;
+}
+
+IslandSolution ContactLaw::settle_contacts(const Island& island,
+                                           const State& state,
+                                           bool after_impact,
+                                           Bookkeeping& book) {
+  use_.clear();
+  std::vector<double> rates;
+  for (const Contact& c : island.contacts) {
+    const double rate = gap_rate(c, contact_velocity(*system_, state, c));
+    const bool rests = contact_motion(*system_, state, c) != ContactMotion::opening;
+    const bool slow = after_impact && rate <= bounce_speed * scales_.speed;
+    use_.push_back(rests || slow ? SideUse::inequality : SideUse::none);
+    rates.push_back(rests ? 0.0 : rate);
+  }
+  IslandSolution solution = dynamics_.accelerations(state, island, use_);
+  keep_book(solution, book);
+  // What opens slowly and is not pressed keeps its velocity.
+  for (bool dropped = true; dropped;) {
+    dropped = false;
+    const double largest = std::ranges::max(solution.forces);
+    for (std::size_t k = 0; k < use_.size(); ++k) {
+      if (use_[k] == SideUse::none || rates[k] == 0.0) continue;
+      if (solution.forces[k] > undecided_force * largest) continue;
+      use_[k] = SideUse::none;
+      dropped = true;
+    }
+    if (dropped) {
+      solution = dynamics_.accelerations(state, island, use_);
+      keep_book(solution, book);
+    }
+  }
+  const double largest = std::ranges::max(solution.forces);
+  bool undecided = false;
+  for (std::size_t k = 0; k < use_.size(); ++k) {
+    undecided = undecided
+                || (use_[k] != SideUse::none && solution.forces[k] <= undecided_force * largest
+                    && solution.slacks[k] <= undecided_acceleration * scales_.gravity);
+  }
+  return undecided ? peek(island, state, solution, use_, book) : solution;
+}
+
+IslandSolution ContactLaw::peek(const Island& island,
+                                const State& state,
+                                const IslandSolution& now,
+                                std::span<const SideUse> use,
+                                Bookkeeping& book) {
+  const double dt = peek_time * scales_.time;
+  State ahead = state;
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    BodyState& s = ahead[static_cast<std::size_t>(island.cubes[k])];
+    const Twist& a = now.twists[k];
+    s.position += dt * (s.velocity + 0.5 * dt * a.linear);
+    s.angle += dt * (s.spin + 0.5 * dt * a.angular);
+    s.velocity += dt * a.linear;
+    s.spin += dt * a.angular;
+  }
+  Island moved = island;
+  std::vector<Box> boxes;
+  pose_boxes(*system_, ahead, boxes);
+  for (Contact& c : moved.contacts)
+    c = at_poses(*system_, boxes, c);
+  IslandSolution solution = dynamics_.accelerations(ahead, moved, use);
+  keep_book(solution, book);
+  return solution;
+}
+
+void ContactLaw::close(const Island& island,
+                       const IslandSolution& solution,
+                       Closure& closure) const {
+  double lightest = system_->body(island.cubes.front()).mass;
+  for (const int cube : island.cubes)
+    lightest = std::min(lightest, system_->body(cube).mass);
+  const double limit = closed_acceleration * scales_.gravity
+                       + closed_rounding * std::ranges::max(solution.forces) / lightest;
+  std::vector<Contact> closed;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (solution.slacks[k] <= limit) closed.push_back(island.contacts[k]);
+  }
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    const Contact& c = closed[k];
+    // The finder lists the two ends of a flush pair one after the other.
+    if (k + 1 == closed.size() || pair_of(closed[k + 1]) != pair_of(c)
+        || system_->body(c.from).kind == BodyKind::plane) {
+      closure.closed.push_back(c);
+      continue;
+    }
+    // Ends may lie close to each other: both corners of the shorter side on the line of the longer
+    // one say the same and never do.
+    const Contact& d = closed[++k];
+    const auto both = [&](int on, int from, int corner, int side) {
+      for (const int which : {corner, next_corner(corner)}) {
+        Contact row;
+        row.on = on;
+        row.from = from;
+        row.corner = which;
+        row.side = side;
+        closure.closed.push_back(at_poses(*system_, finder_.boxes(), row));
+      }
+    };
+    // Side of c.from, and the side of c.on that lies on it.
+    const int facing =
+        d.from == c.from ? (next_corner(c.corner) == d.corner ? c.corner : d.corner) : d.side;
+    const auto length = [&](int body, int side) {
+      const Vec2& size = system_->body(body).size;
+      return (side & 1) != 0 ? size.y() : size.x();
+    };
+    if (length(c.on, facing) <= length(c.from, c.side)) {
+      both(c.on, c.from, facing, c.side);
+    } else {
+      both(c.from, c.on, c.side, facing);
+    }
+  }
+}
+
+/// Contacts that came or went without an impulse.
+void ContactLaw::log_changes(const std::vector<Contact>& before,
+                             const Closure& after,
+                             double t,
+                             std::size_t first_event,
+                             Bookkeeping& book) const {
+  const auto count = [](const std::vector<Contact>& contacts, const IndexPair& pair) {
+    return std::ranges::count_if(contacts, [&](const Contact& c) { return pair_of(c) == pair; });
+  };
+  const auto hit = [&](const IndexPair& pair) {
+    return std::any_of(book.events.begin() + static_cast<std::ptrdiff_t>(first_event),
+                       book.events.end(), [&](const Event& e) {
+                         const auto& a = system_->body(pair.first).name;
+                         const auto& b = system_->body(pair.second).name;
+                         return (e.on == a && e.from == b) || (e.on == b && e.from == a);
+                       });
+  };
+  const auto rests = [&](int body) {
+    return !system_->is_cube(body) || after.resting[static_cast<std::size_t>(body)] != 0;
+  };
+  const auto log = [&](const Contact& c, EventKind kind) {
+    book.events.push_back(
+        {t, kind, system_->body(c.on).name, system_->body(c.from).name, c.point, 0.0, 0.0});
+  };
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const IndexPair pair = pair_of(before[k]);
+    if (k > 0 && pair_of(before[k - 1]) == pair) continue;
+    if (rests(pair.first) && rests(pair.second)) continue;
+    if (count(after.closed, pair) < count(before, pair) && !hit(pair)) {
+      const bool off = before[k].alpha <= 1e-9 || before[k].alpha >= 1.0 - 1e-9;
+      log(before[k], off && count(before, pair) == 1 ? EventKind::slide_off : EventKind::release);
+    }
+  }
+  if (t == 0.0) return;
+  for (std::size_t k = 0; k < after.closed.size(); ++k) {
+    const IndexPair pair = pair_of(after.closed[k]);
+    if (k > 0 && pair_of(after.closed[k - 1]) == pair) continue;
+    if (count(after.closed, pair) > count(before, pair) && !hit(pair))
+      log(after.closed[k], EventKind::touch);
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,63 @@
+/// What happens at an event: what touches, who hits whom, and which contacts are closed afterwards.
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/gauss.h"
+#include "core/time/bookkeeping.h"
+#include "core/time/scales.h"
+
+namespace wuerfel {
+
+/// Contacts of the smooth phase that follows an event.
+struct Closure {
+  std::vector<Contact> closed;  ///< of cubes that move; a flush pair by both corners of one side
+  std::vector<char> resting;    ///< per cube: certified, v = 0 and a = 0
+};
+
+/// Moreau's impact over all touching contacts of an island at once, then Gauss' principle for the
+/// contacts that do not open. Where a force and the gap's acceleration both vanish (the instant of
+/// a release), the program is asked again a moment later, where one of them has a sign.
+class ContactLaw {
+ public:
+  ContactLaw(const System& system, const MotionSettings& settings);
+
+  /// Changes velocities (impacts) and, by rounding, positions (overlap). `closure` is that of the
+  /// phase that ends, and becomes that of the phase that begins. `touching` is the share of the
+  /// smaller side up to which bodies touch.
+  void apply(State& state, double t, double touching, Closure& closure, Bookkeeping& book);
+
+ private:
+  void apply_island(Island& island, State& state, double t, Closure& closure, Bookkeeping& book);
+  void separate(Island& island, State& state, Bookkeeping& book);
+  bool strike(const Island& island, State& state, double t, Bookkeeping& book);
+  IslandSolution settle_contacts(const Island& island,
+                                 const State& state,
+                                 bool after_impact,
+                                 Bookkeeping& book);
+  bool comes_to_rest(const Island& island, State& state, Bookkeeping& book);
+  IslandSolution peek(const Island& island,
+                      const State& state,
+                      const IslandSolution& now,
+                      std::span<const SideUse> use,
+                      Bookkeeping& book);
+  void close(const Island& island, const IslandSolution& solution, Closure& closure) const;
+  void log_changes(const std::vector<Contact>& before,
+                   const Closure& after,
+                   double t,
+                   std::size_t first_event,
+                   Bookkeeping& book) const;
+
+  const System* system_;
+  IslandDynamics dynamics_;
+  ContactFinder finder_;
+  Scales scales_;
+  std::vector<Contact> contacts_;
+  std::vector<Island> islands_;
+  std::vector<SideUse> use_;
+};
+
+/// Books a program that was solved.
+void keep_book(const IslandSolution& solution, Bookkeeping& book);
+
+}  // namespace wuerfel

@@ -1,0 +1,488 @@
+#include "core/time/event_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// Smooth phases are integrated to this share of the tolerance that the user asked for.
+constexpr double inner_share = 0.01;
+/// Bodies within this share of the smaller side touch at an event.
+constexpr double touching_share = 1e-10;
+/// A force that starts below this share of the weight is watched from where it has left zero.
+constexpr double zero_force = 1e-11;
+constexpr double armed_times = 3.0;
+/// Growth and shrinking of steps (Hairer, Norsett, Wanner, section II.4).
+constexpr double safety = 0.9;
+constexpr double most_growth = 6.0;
+constexpr double most_shrinking = 0.2;
+/// Units of L / V: the first step, the first free fall, the shortest step, time that is forced to
+/// pass where events follow one another without any.
+constexpr double first_step = 0.1;
+constexpr double first_fall = 4.0;
+constexpr double fall_growth = 4.0;
+constexpr double shortest_step = 1e-11;
+constexpr double forced_time = 1e-9;
+constexpr double instant_share = 1e-13;
+constexpr int most_instant_events = 60;
+/// A gap's acceleration beyond this share of g is an opening.
+constexpr double opening_share = 1e-8;
+/// Corrections of an event's time end at this share of L / V.
+constexpr double located_share = 1e-15;
+constexpr int most_corrections = 4;
+/// Samples of forces within a step whose stages saw one vanish.
+constexpr int force_samples = 8;
+/// Brackets of forces within a step, and of openings, which change accelerations continuously.
+constexpr double found_share = 1e-13;
+constexpr int most_bisections = 100;
+constexpr double opening_width = 1e-10;
+
+void pack(const State& state, std::vector<double>& y) {
+  y.resize(components * state.size());
+  double* at = y.data();
+  for (const BodyState& s : state) {
+    at[0] = s.position.x();
+    at[1] = s.position.y();
+    at[2] = s.angle;
+    at[3] = s.velocity.x();
+    at[4] = s.velocity.y();
+    at[5] = s.spin;
+    at += components;
+  }
+}
+
+void unpack(const std::vector<double>& y, State& state) {
+  const double* at = y.data();
+  for (BodyState& s : state) {
+    s.position = {at[0], at[1]};
+    s.angle = at[2];
+    s.velocity = {at[3], at[4]};
+    s.spin = at[5];
+    at += components;
+  }
+}
+
+void unpack(const DenseStep& motion, double share, State& state) {
+  std::size_t at = 0;
+  for (BodyState& s : state) {
+    s.position = {motion.component(share, at), motion.component(share, at + 1)};
+    s.angle = motion.component(share, at + 2);
+    s.velocity = {motion.component(share, at + 3), motion.component(share, at + 4)};
+    s.spin = motion.component(share, at + 5);
+    at += components;
+  }
+}
+
+/// x^(-1/8), from square roots.
+double eighth_root_inverse(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
+
+}  // namespace
+
+EventMotion::EventMotion(const System& system, const MotionSettings& settings)
+    : system_(&system),
+      settings_(settings),
+      law_(system, settings),
+      closed_(system),
+      looker_(system),
+      search_(system),
+      openings_(system, settings) {}
+
+void EventMotion::start(
+    const State& state, double t, double touching, std::vector<char> resting, Bookkeeping& book) {
+  state_ = state;
+  scratch_ = state;
+  clock_ = t;
+  step_ = 0.0;
+  events_ = 0;
+  instant_events_ = 0;
+  pieces_.clear();
+  closure_.closed.clear();
+  closure_.resting = std::move(resting);
+  begin_phase(touching, book);
+}
+
+bool EventMotion::at_rest() const {
+  return std::ranges::all_of(closure_.resting, [](char r) { return r != 0; });
+}
+
+void EventMotion::begin_phase(double touching, Bookkeeping& book) {
+  closure_.closed = closed_.contacts();
+  law_.apply(state_, clock_, touching, closure_, book);
+  closed_.close(closure_.closed, closure_.resting);
+  closed_.project_positions(state_);
+  closed_.project_velocities(state_);
+  search_.begin(state_, closed_.contacts(), closure_.resting);
+  scales_ = scales_of(*system_, state_);
+  const double tolerance = inner_share * settings_.tolerance;
+  scale_.clear();
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    const double length = tolerance * scales_.length;
+    const double speed = tolerance * scales_.speed;
+    for (const double s :
+         {length, length, tolerance, speed, speed, tolerance * scales_.speed / scales_.length})
+      scale_.push_back(s);
+  }
+  fall_ = first_fall * scales_.time;
+  if (step_ <= 0.0) step_ = first_step * scales_.time;
+  pack(state_, y_);
+  find_holds();
+  pull_ = std::numeric_limits<double>::infinity();
+  (*this)(y_, rate_);
+  const double zero = zero_force * scales_.weight;
+  for (Hold& hold : holds_) {
+    const std::array<double, 2> force = hold_forces(hold);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (force[k] <= armed_times * zero) hold.offset[k] = zero + std::max(0.0, -force[k]);
+    }
+  }
+}
+
+void EventMotion::operator()(const std::vector<double>& y, std::vector<double>& rate) {
+  unpack(y, scratch_);
+  closed_.accelerate(scratch_, accelerations_);
+  rate.resize(y.size());
+  double* at = rate.data();
+  for (std::size_t i = 0; i < scratch_.size(); ++i) {
+    const Twist& a = accelerations_[i];
+    at[0] = scratch_[i].velocity.x();
+    at[1] = scratch_[i].velocity.y();
+    at[2] = scratch_[i].spin;
+    at[3] = a.linear.x();
+    at[4] = a.linear.y();
+    at[5] = a.angular;
+    at += components;
+  }
+  if (!holds_.empty()) pull_ = std::min(pull_, smallest(holds_));
+}
+
+void EventMotion::find_holds() {
+  holds_.clear();
+  const std::vector<Contact>& contacts = closed_.contacts();
+  for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
+    const Contact& c = contacts[static_cast<std::size_t>(k)];
+    Hold hold;
+    hold.first = k;
+    if (system_->body(c.from).kind != BodyKind::plane
+        && k + 1 < static_cast<int>(contacts.size())) {
+      const Contact& d = contacts[static_cast<std::size_t>(k + 1)];
+      if (d.on == c.on && d.from == c.from) hold.second = ++k;
+    }
+    holds_.push_back(hold);
+  }
+}
+
+/// Forces of a contact, or at the two ends of a flush pair's overlap, to which the forces on the
+/// corners of its rows are moved by the law of the lever.
+std::array<double, 2> EventMotion::hold_forces(const Hold& hold) const {
+  const auto first = static_cast<std::size_t>(hold.first);
+  const double f = closed_.forces()[first];
+  if (hold.second < 0) return {f, f};
+  const auto second = static_cast<std::size_t>(hold.second);
+  const double g = closed_.forces()[second];
+  const Contact& c = closed_.contacts()[first];
+  const double s_1 = c.alpha * c.length;
+  const double s_2 = closed_.contacts()[second].alpha * c.length;
+  const double low = std::max(0.0, std::min(s_1, s_2));
+  const double high = std::min(c.length, std::max(s_1, s_2));
+  if (high - low <= touching_share * c.length) return {f + g, f + g};
+  const double moment = f * s_1 + g * s_2;
+  return {((f + g) * high - moment) / (high - low), (moment - (f + g) * low) / (high - low)};
+}
+
+double EventMotion::smallest(const std::vector<Hold>& holds) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Hold& hold : holds) {
+    const std::array<double, 2> force = hold_forces(hold);
+    least = std::min({least, force[0] + hold.offset[0], force[1] + hold.offset[1]});
+  }
+  return least;
+}
+
+/// Forces that have left zero are watched from now on as they are.
+void EventMotion::arm(std::vector<Hold>& holds) const {
+  for (Hold& hold : holds) {
+    const std::array<double, 2> force = hold_forces(hold);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (force[k] > armed_times * zero_force * scales_.weight) hold.offset[k] = 0.0;
+    }
+  }
+}
+
+void EventMotion::advance(double limit, Bookkeeping& book) {
+  if (at_rest()) {
+    pieces_.push_back({clock_, std::numeric_limits<double>::infinity(), state_, {}, {}});
+    clock_ = std::numeric_limits<double>::infinity();
+    return;
+  }
+  ++book.cost.steps;
+  if (closed_.contacts().empty()) {
+    fall(limit, book);
+  } else {
+    integrate(limit, book);
+  }
+}
+
+/// Free fall is a parabola, of any length.
+void EventMotion::fall(double limit, Bookkeeping& book) {
+  const double h = std::min(fall_, limit - clock_);
+  fall_ *= fall_growth;
+  dense_.coefficients.assign(y_.size() * DenseStep::terms, 0.0);
+  double* c = dense_.coefficients.data();
+  for (std::size_t i = 0; i < y_.size(); ++i, c += DenseStep::terms) {
+    const bool position = i % components < components / 2;
+    const double half = position ? 0.5 * h * h * rate_[i + components / 2] : 0.0;
+    c[0] = y_[i];
+    c[1] = h * rate_[i] + half;
+    c[2] = -half;
+  }
+  range_.resize(state_.size());
+  for (std::size_t i = 0; i < range_.size(); ++i)
+    range_[i] = {accelerations_[i], accelerations_[i]};
+  const auto crossing = search_.first({&dense_, h, &range_});
+  const double share = crossing ? crossing->share : 1.0;
+  next_ = state_;
+  unpack(dense_, share, next_);
+  finish(h, share * h, crossing.has_value(), book);
+}
+
+void EventMotion::integrate(double limit, Bookkeeping& book) {
+  const double h = controlled_step(std::min(step_, limit - clock_), book);
+  complete_step(h);
+  if (instant_events_ > most_instant_events) {
+    // Events without end at one instant: time is made to pass, and that is reported.
+    ++book.audit.unresolved;
+    const double forced = std::min(h, forced_time * scales_.time);
+    restep(forced);
+    finish(forced, forced, false, book);
+    return;
+  }
+  const std::optional<Crossing> crossing = search_.first({&dense_, h, &range_});
+  const double until = crossing ? crossing->share : 1.0;
+  std::optional<double> release;
+  if (pull_ < 0.0) {
+    release = closed_.redundant() ? first_opening(until, book) : first_release(until);
+  }
+  if (!crossing && !release) {
+    finish(h, h, false, book);
+    return;
+  }
+  const double length = release ? reach_release(*release * h) : reach_crossing(*crossing, h);
+  finish(length, length, true, book);
+}
+
+/// Takes the step, shortened until its error is small enough; returns its length.
+double EventMotion::controlled_step(double h, Bookkeeping& book) {
+  const bool cut = h < step_;
+  double error = 0.0;
+  bool rejected = false;
+  while (true) {
+    pull_ = std::numeric_limits<double>::infinity();
+    method_.step(*this, y_, rate_, h);
+    error = method_.error(scale_);
+    if (error <= 1.0) break;
+    if (h <= shortest_step * scales_.time) {
+      ++book.audit.unresolved;
+      break;
+    }
+    rejected = true;
+    h *= std::isfinite(error) ? std::max(most_shrinking, safety * eighth_root_inverse(error))
+                              : most_shrinking;
+  }
+  const double growth =
+      error > 0.0 ? std::min(most_growth, safety * eighth_root_inverse(error)) : most_growth;
+  const double proposed = h * (rejected ? std::min(growth, 1.0) : growth);
+  // A step that was cut short says nothing against the length that was proposed before.
+  step_ = cut && !rejected ? std::max(step_, proposed) : proposed;
+  return h;
+}
+
+/// The end of the step that was just taken, on the constraints, and its polynomial.
+void EventMotion::complete_step(double h) {
+  next_ = state_;
+  unpack(method_.next(), next_);
+  closed_.project_positions(next_);
+  closed_.project_velocities(next_);
+  pack(next_, next_y_);
+  (*this)(next_y_, next_rate_);
+  next_holds_ = holds_;
+  arm(next_holds_);
+  method_.dense(*this, y_, next_rate_, dense_);
+  range_.resize(state_.size());
+  for (std::size_t i = 0; i < range_.size(); ++i) {
+    const std::size_t at = components * i + components / 2;
+    TwistRange& range = range_[i];
+    const auto twist = [&](const std::vector<double>& rate) {
+      return Twist{Vec2(rate[at], rate[at + 1]), rate[at + 2]};
+    };
+    range.low = range.high = twist(next_rate_);
+    for (int k = 0; k < Dop853::stages; ++k) {
+      const Twist a = twist(method_.stage(k));
+      range.low = {range.low.linear.cwiseMin(a.linear), std::min(range.low.angular, a.angular)};
+      range.high = {range.high.linear.cwiseMax(a.linear), std::max(range.high.angular, a.angular)};
+    }
+  }
+  length_ = h;
+}
+
+/// The step again, with another length.
+void EventMotion::restep(double length) {
+  method_.step(*this, y_, rate_, length);
+  complete_step(length);
+}
+
+/// Steps to where a watched function vanishes: Newton's method on true states.
+double EventMotion::reach_crossing(const Crossing& crossing, double h) {
+  double length = crossing.share * h;
+  for (int k = 0; k < most_corrections; ++k) {
+    restep(length);
+    const Reading reading = search_.read(next_, crossing.watch);
+    if (reading.rate == 0.0) break;
+    const double correction = -reading.value / reading.rate;
+    if (std::abs(correction) <= located_share * scales_.time) break;
+    if (std::abs(correction) > 0.01 * h || length + correction <= 0.0) break;
+    length += correction;
+  }
+  return length_;
+}
+
+/// Steps to where the smallest force vanishes.
+double EventMotion::reach_release(double length) {
+  for (int k = 0; k < most_corrections; ++k) {
+    restep(length);
+    if (closed_.redundant()) break;
+    const double force = hold_at(next_, holds_);
+    const double ahead = 1e-6 * scales_.time;
+    State later = next_;
+    for (std::size_t i = 0; i < later.size(); ++i) {
+      const std::size_t at = components * i;
+      const double* r = next_rate_.data() + at;
+      later[i].position += ahead * Vec2(r[0], r[1]) + 0.5 * ahead * ahead * Vec2(r[3], r[4]);
+      later[i].angle += ahead * r[2] + 0.5 * ahead * ahead * r[5];
+      later[i].velocity += ahead * Vec2(r[3], r[4]);
+      later[i].spin += ahead * r[5];
+    }
+    const double rate = (hold_at(later, holds_) - force) / ahead;
+    if (rate >= 0.0) break;
+    const double correction = -force / rate;
+    if (std::abs(correction) <= 1e-13 * scales_.time) break;
+    if (std::abs(correction) > 0.01 * length_ || length + correction <= 0.0) break;
+    length += correction;
+  }
+  return length_;
+}
+
+double EventMotion::hold_at(const State& state, const std::vector<Hold>& holds) {
+  closed_.accelerate(state, accelerations_);
+  return smallest(holds);
+}
+
+/// Share of the step at which the first force vanishes.
+std::optional<double> EventMotion::first_release(double until) {
+  State state = state_;
+  const auto force_at = [&](double share) {
+    unpack(dense_, share, state);
+    return hold_at(state, holds_);
+  };
+  double low = 0.0;
+  double high = 0.0;
+  double at_low = force_at(0.0);
+  double at_high = at_low;
+  for (int k = 1; k <= force_samples; ++k) {
+    high = until * k / force_samples;
+    at_high = force_at(high);
+    if (at_high < 0.0) break;
+    low = high;
+    at_low = at_high;
+  }
+  if (at_high >= 0.0) return {};
+  // False position with the bracket halved where that is slow.
+  for (int k = 0; high - low > found_share && k < most_bisections; ++k) {
+    double at = low + (high - low) * (k % 3 == 2 ? 0.5 : at_low / (at_low - at_high));
+    at = std::clamp(at, low + 0.1 * found_share, high - 0.1 * found_share);
+    const double force = force_at(at);
+    (force < 0.0 ? high : low) = at;
+    (force < 0.0 ? at_high : at_low) = force;
+  }
+  return high;
+}
+
+/// Share of the step from which on redundant contacts open. Negative forces alone are no reason:
+/// other forces may do the same. The program with inequalities decides.
+std::optional<double> EventMotion::first_opening(double until, Bookkeeping& book) {
+  if (!opens_at(until, book)) return {};
+  double low = 0.0;
+  double high = until;
+  while (high - low > opening_width) {
+    const double at = 0.5 * (low + high);
+    (opens_at(at, book) ? high : low) = at;
+  }
+  return high;
+}
+
+bool EventMotion::opens_at(double share, Bookkeeping& book) {
+  State state = state_;
+  unpack(dense_, share, state);
+  closed_.project_positions(state);
+  closed_.project_velocities(state);
+  finder_.find(*system_, state, contacts_);
+  std::erase_if(contacts_, [&](const Contact& c) {
+    return std::ranges::none_of(closed_.contacts(), [&](const Contact& d) {
+      return std::minmax(c.on, c.from) == std::minmax(d.on, d.from);
+    });
+  });
+  find_islands(*system_, contacts_, islands_);
+  std::vector<SideUse> use;
+  for (const Island& island : islands_) {
+    use.assign(island.contacts.size(), SideUse::inequality);
+    const IslandSolution solution = openings_.accelerations(state, island, use);
+    keep_book(solution, book);
+    if (std::ranges::max(solution.slacks) > opening_share * scales_.gravity) return true;
+  }
+  return false;
+}
+
+/// Takes over the state that was reached; `span` is the length of the step's polynomial.
+void EventMotion::finish(double span, double elapsed, bool event, Bookkeeping& book) {
+  pieces_.push_back({clock_, span, state_, dense_, closed_.contacts()});
+  clock_ += elapsed;
+  state_ = next_;
+  if (event) {
+    ++events_;
+    instant_events_ = elapsed <= instant_share * scales_.time ? instant_events_ + 1 : 0;
+    begin_phase(touching_share, book);
+    return;
+  }
+  instant_events_ = 0;
+  search_.passed(state_);
+  holds_ = next_holds_;
+  pack(state_, y_);
+  if (closed_.contacts().empty()) {
+    (*this)(y_, rate_);
+  } else {
+    rate_ = next_rate_;
+  }
+}
+
+State EventMotion::at(double t) {
+  auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), t,
+                                [](double time, const MotionPiece& p) { return time < p.begin; });
+  if (piece == pieces_.begin()) return state_;
+  --piece;
+  State state = piece->start;
+  if (t == piece->begin || piece->motion.coefficients.empty()) return state;
+  unpack(piece->motion, (t - piece->begin) / piece->length, state);
+  if (!piece->closed.empty()) {
+    looker_.close(piece->closed, {});
+    looker_.project_positions(state);
+    looker_.project_velocities(state);
+  }
+  return state;
+}
+
+void EventMotion::forget_before(double t) {
+  while (pieces_.size() > 1 && pieces_[1].begin <= t)
+    pieces_.pop_front();
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,111 @@
+/// When does something happen? The functions of a motion whose zeros are geometric events, and the
+/// search for the first of them within a step.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/constraints/contact.h"
+#include "core/time/dop853.h"
+
+namespace wuerfel {
+
+/// Components of a cube in the vector of a step: x, y, theta, then their rates.
+inline constexpr std::size_t components = 6;
+
+/// Where a body is and how it moves.
+struct MovingBox {
+  Box box;
+  Vec2 velocity = Vec2::Zero();
+  double spin = 0.0;
+};
+
+/// A function of the motion that is positive until an event happens.
+struct Watch {
+  enum class Kind {
+    separation,  ///< of two boxes that do not touch, over all sides
+    gap,         ///< of a corner from the line of a side
+    to_start,    ///< of a corner along a side, from the side's p_i
+    to_end,      ///< of a corner along a side, to the side's p_j
+  };
+  Kind kind = Kind::separation;
+  int on = 0;  ///< body of the corner; of a separation the body with the smaller number
+  int from = 0;
+  int corner = 0;
+  int side = 0;
+  double shift = 0.0;  ///< m; added until the function has left zero, where it starts from there
+
+  [[nodiscard]] bool same_place(const Watch& o) const {
+    return kind == o.kind && on == o.on && from == o.from && corner == o.corner && side == o.side;
+  }
+};
+
+struct Crossing {
+  double share = 1.0;  ///< of the step
+  Watch watch;
+};
+
+/// Value (m) and rate (m/s) of a watched function, with its shift.
+struct Reading {
+  double value = 0.0;
+  double rate = 0.0;
+};
+
+/// Range of a cube's accelerations within a step.
+struct TwistRange {
+  Twist low;
+  Twist high;
+};
+
+/// A step as the search sees it.
+struct WatchedStep {
+  const DenseStep* motion = nullptr;
+  double length = 0.0;                             ///< s
+  const std::vector<TwistRange>* range = nullptr;  ///< one per cube
+};
+
+/// Searches with a bound: an interval without a zero is left when the function's values and rates
+/// at its ends and the bound of its second derivative exclude one. Nothing is sampled and hoped
+/// for.
+class EventSearch {
+ public:
+  explicit EventSearch(const System& system);
+
+  /// A smooth phase begins: what is closed, and from where the other functions start. What starts
+  /// at zero is watched from where it has left it.
+  void begin(const State& state,
+             const std::vector<Contact>& closed,
+             const std::vector<char>& resting);
+  /// The first zero within the step; the boxes that are near enough are looked for here.
+  std::optional<Crossing> first(const WatchedStep& step);
+  /// The step has been taken as far as `state`: functions that have left zero are watched from now
+  /// on without a shift.
+  void passed(const State& state);
+  /// A watched function at a state.
+  [[nodiscard]] Reading read(const State& state, const Watch& watch) const;
+  /// Searches that ended without an answer.
+  [[nodiscard]] long given_up() const { return given_up_; }
+
+ private:
+  void watch_closed(const std::vector<Contact>& closed);
+  void watch_planes(const std::vector<Contact>& closed);
+  void find_candidates(const WatchedStep& step);
+  [[nodiscard]] bool is_still(int body) const;
+  [[nodiscard]] MovingBox body_at(const WatchedStep& step, int body, double share) const;
+  [[nodiscard]] MovingBox body_of(const State& state, int body) const;
+  [[nodiscard]] double curvature(const WatchedStep& step, const Watch& watch) const;
+  [[nodiscard]] double zero(const Watch& watch) const;
+  void search(const WatchedStep& step, Watch& watch, std::optional<Crossing>& first);
+
+  const System* system_;
+  std::vector<char> resting_;
+  std::vector<Watch> watches_;           ///< of the phase
+  std::vector<Watch> unarmed_;           ///< separations that start at zero
+  std::vector<IndexPair> closed_pairs_;  ///< sorted
+  std::vector<Watch> candidates_;        ///< separations of this step
+  std::vector<BoundingBox> bounds_;
+  BroadPhase broad_phase_;
+  long given_up_ = 0;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,22 @@
+/// A motion that is computed as far as somebody asks for it.
+#pragma once
+
+#include "core/time/bookkeeping.h"
+#include "core/time/moment.h"
+
+namespace wuerfel {
+
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  /// Moves on to time t exactly; the state is that just after an event that falls on t.
+  virtual void advance_to(double t) = 0;
+  /// Where the motion is.
+  [[nodiscard]] virtual const Moment& now() const = 0;
+  /// The same with accelerations and forces.
+  [[nodiscard]] virtual const Moment& now_with_forces() = 0;
+  /// What happened up to now.
+  [[nodiscard]] virtual const Bookkeeping& book() const = 0;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,34 @@
+#include "core/time/scales.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wuerfel {
+
+Scales scales_of(const System& system, const State& state) {
+  Scales scales;
+  double mass = 0.0;
+  double fastest = 0.0;
+  scales.length = std::numeric_limits<double>::max();
+  for (int i = 0; i < system.cubes; ++i) {
+    const Body& body = system.body(i);
+    const BodyState& s = state[static_cast<std::size_t>(i)];
+    scales.length = std::min(scales.length, body.size.minCoeff());
+    mass += body.mass;
+    fastest = std::max(fastest, s.velocity.norm() + 0.5 * body.size.norm() * std::abs(s.spin));
+  }
+  if (system.cubes == 0) scales.length = 1.0;
+  const double g = system.gravity.norm();
+  if (g > 0.0) {
+    scales.speed = std::sqrt(g * scales.length);
+  } else if (fastest > 0.0) {
+    scales.speed = fastest;
+  }
+  scales.time = scales.length / scales.speed;
+  scales.gravity = scales.speed / scales.time;
+  scales.weight = mass * scales.gravity;
+  return scales;
+}
+
+}  // namespace wuerfel

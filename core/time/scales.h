@@ -1,0 +1,19 @@
+/// Units of a motion: what is small, fast or short is judged by them.
+#pragma once
+
+#include "core/model/system.h"
+
+namespace wuerfel {
+
+struct Scales {
+  double length = 1.0;   ///< m, L: smallest side of a cube
+  double speed = 1.0;    ///< m/s, V = sqrt(g L); without gravity the largest speed at hand
+  double time = 1.0;     ///< s, L / V
+  double gravity = 1.0;  ///< m/s^2, V^2 / L
+  double weight = 1.0;   ///< N, of all cubes under that acceleration
+};
+
+/// Scales of a system at a state. Where nothing moves and nothing falls, V is 1.
+Scales scales_of(const System& system, const State& state);
+
+}  // namespace wuerfel
