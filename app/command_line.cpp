@@ -1,90 +1,21 @@
 #include "app/command_line.h"
 
+#include <cmath>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include "app/choice.h"
 #include "app/commands.h"
+#include "app/option_groups.h"
 #include "app/picture_outputs.h"
 #include "render/error.h"
-#include "render/view.h"
 
 namespace wuerfel {
 
 namespace {
 
 using Text = std::string;
-
-// An option whose text goes through `take`, which throws UsageError where it is not understood.
-template <typename Take>
-CLI::Option* add_value(
-    CLI::App& app, const Text& names, const Text& type, const Text& meaning, Take take) {
-  return app
-      .add_option_function<std::vector<Text>>(
-          names,
-          [take](const std::vector<Text>& values) {
-            for (const Text& value : values)
-              take(value);
-          },
-          meaning)
-      ->type_name(type)
-      ->allow_extra_args(false);
-}
-
-void once(CLI::Option* option) { option->expected(1); }
-
-void add_scene(CLI::App& app, SceneChoice& scene) {
-  app.add_option("SCENE", scene.source,
-                 "scene file (TOML or JSON), - for standard input, or a shipped scene")
-      ->required()
-      ->type_name("");
-  add_value(app, "--set", "KEY=VALUE",
-            "override a key of the scene, as in cube.a.angle=0.1 (repeatable)",
-            [&scene](const Text& text) { scene.overrides.push_back(text); });
-}
-
-template <typename Enum>
-void add_choice(CLI::App& app, const Text& name, const Text& meaning, Enum& value) {
-  const Text help =
-      fmt::format("{}: {} [{}]", meaning, join_choices(choices<Enum>()), to_string(value));
-  once(add_value(app, name, "NAME", help,
-                 [name, &value](const Text& text) { value = parse_choice<Enum>(name, text); }));
-}
-
-void add_motion_options(CLI::App& app, MotionSettings& motion) {
-  add_choice(app, "--integrator", "how time is stepped", motion.integrator);
-  add_choice(app, "--formulation", "unknowns of the program", motion.formulation);
-  add_choice(app, "--solver", "who solves the program", motion.solver);
-  once(add_value(
-      app, "--tolerance", "TOL", "error budget of states [1e-8]",
-      [&motion](const Text& text) { motion.tolerance = parse_positive("--tolerance", text); }));
-  once(add_value(app, "--step", "DT", "time step in s [1/240]",
-                 [&motion](const Text& text) { motion.step = parse_positive("--step", text); }));
-}
-
-void add_picture_options(CLI::App& app, PictureOptions& picture) {
-  once(add_value(app, "--size", "WxH", "pixels [1280x720]",
-                 [&picture](const Text& text) { picture.size = parse_pixel_size(text); }));
-  const Text layers = fmt::format("what is drawn: any of {} [{}]", join_choices(choices<Layer>()),
-                                  to_string(picture.layers));
-  once(add_value(app, "--layers", "A,B,..", layers,
-                 [&picture](const Text& text) { picture.layers = parse_layers(text); }));
-  const Text theme =
-      fmt::format("colours: {} [{}]", join_choices(choices<Theme>()), to_string(picture.theme));
-  once(add_value(app, "--theme", "NAME", theme,
-                 [&picture](const Text& text) { picture.theme = parse_theme(text); }));
-  once(add_value(app, "--force-scale", "M/N", "length of force arrows in m per N [fits the run]",
-                 [&picture](const Text& text) {
-                   picture.force_scale = parse_positive("--force-scale", text);
-                 }));
-  once(add_value(app, "--view", "fit|X,Y,WIDTH", "part of the world in m: centre and width [fit]",
-                 [&picture](const Text& text) {
-                   if (text != "fit") parse_view(text, picture.size.width, picture.size.height);
-                   picture.view = text;
-                 }));
-}
 
 // Only one thing at a time may go to standard output.
 void require_one_on_stdout(const RunOptions& options) {
@@ -109,14 +40,13 @@ CLI::App* add_run(CLI::App& program, RunOptions& options) {
               require_picture_output(text);
               options.outputs.push_back(text);
             });
-  once(add_value(
-      *app, "--fps", "F", "frames per second of the film [60]",
-      [&options](const Text& text) { options.rate.fps = parse_positive("--fps", text); }));
-  once(add_value(
+  add_single(*app, "--fps", "F", "frames per second of the film [60]",
+             [&options](const Text& text) { options.rate.fps = parse_positive("--fps", text); });
+  add_single(
       *app, "--speed", "X", "simulated time per film time, 0.1 is slow motion [1]",
-      [&options](const Text& text) { options.rate.speed = parse_positive("--speed", text); }));
-  once(add_value(*app, "--until", "T", "end in s [the scene's duration]",
-                 [&options](const Text& text) { options.until = parse_time("--until", text); }));
+      [&options](const Text& text) { options.rate.speed = parse_positive("--speed", text); });
+  add_single(*app, "--until", "T", "end in s [the scene's duration]",
+             [&options](const Text& text) { options.until = parse_time("--until", text); });
   add_value(*app, "--sample", "T1,T2,..", "report the state at these times",
             [&options](const Text& text) {
               for (const Text& time : split_list(text))
@@ -147,11 +77,46 @@ CLI::App* add_check(CLI::App& program, CheckOptions& options) {
 CLI::App* add_figure(CLI::App& program, FigureOptions& options) {
   CLI::App* app = program.add_subcommand("figure", "draw one instant");
   add_scene(*app, options.scene);
-  once(add_value(*app, "-t,--time", "T", "instant in s [0]",
-                 [&options](const Text& text) { options.time = parse_time("-t", text); }));
+  add_single(*app, "-t,--time", "T", "instant in s [0]",
+             [&options](const Text& text) { options.time = parse_time("-t", text); });
   app->add_option("-o,--output", options.output, "picture: .png")->type_name("FILE")->required();
   add_picture_options(*app, options.picture);
   add_motion_options(*app, options.motion);
+  return app;
+}
+
+int parse_difference(const Text& text) {
+  const double value = parse_number("--max-difference", text);
+  if (value < 0.0 || value > 255.0 || value != std::floor(value))
+    throw UsageError(fmt::format("--max-difference: '{}' is no whole number of 0 to 255", text));
+  return static_cast<int>(value);
+}
+
+double parse_share(const Text& text) {
+  const double value = parse_number("--max-share", text);
+  if (value < 0.0 || value > 1.0)
+    throw UsageError(fmt::format("--max-share: {} is not between 0 and 1", text));
+  return value;
+}
+
+CLI::App* add_compare(CLI::App& program, CompareOptions& options) {
+  CLI::App* app = program.add_subcommand(
+      "compare", "tell whether pictures, or folders of them, are the same: exit 0 same, 1 differs");
+  app->add_option("EXPECTED", options.expected, ".png file or folder")->required()->type_name("");
+  app->add_option("ACTUAL", options.actual, "the same of what is there now")
+      ->required()
+      ->type_name("");
+  app->add_option("-o,--output", options.output,
+                  "expected, actual and difference side by side, where pixels differ; a folder "
+                  "where folders are compared")
+      ->type_name("DIFF.png");
+  add_single(
+      *app, "--max-difference", "N", "of a channel (0 to 255) that still counts as same [4]",
+      [&options](const Text& text) { options.limits.largest_difference = parse_difference(text); });
+  add_single(*app, "--max-share", "S", "of pixels (0 to 1) that may differ that much [0.05]",
+             [&options](const Text& text) { options.limits.largest_share = parse_share(text); });
+  app->add_flag("--update", options.update, "accept: copy ACTUAL over EXPECTED where they differ");
+  app->add_flag("--json", options.json, "print the answer as JSON");
   return app;
 }
 
@@ -169,10 +134,12 @@ std::optional<Command> parse_command_line(int argc,
   run_options.since_start = since_start;
   CheckOptions check_options;
   FigureOptions figure_options;
+  CompareOptions compare_options;
   Text scene_name;
   const CLI::App* run_app = add_run(program, run_options);
   const CLI::App* check_app = add_check(program, check_options);
   const CLI::App* figure_app = add_figure(program, figure_options);
+  const CLI::App* compare_app = add_compare(program, compare_options);
   CLI::App* scenes_app =
       program.add_subcommand("scenes", "list the scenes that come along, or print one");
   scenes_app->add_option("NAME", scene_name, "scene to print")->type_name("");
@@ -193,6 +160,7 @@ std::optional<Command> parse_command_line(int argc,
   if (run_app->parsed()) return [run_options] { return run(run_options); };
   if (check_app->parsed()) return [check_options] { return check(check_options); };
   if (figure_app->parsed()) return [figure_options] { return figure(figure_options); };
+  if (compare_app->parsed()) return [compare_options] { return compare(compare_options); };
   if (scenes_app->parsed()) return [scene_name] { return scenes(scene_name); };
   return [] { return schema(); };
 }

@@ -11,6 +11,7 @@
 #include "app/stopwatch.h"
 #include "app/timetable.h"
 #include "core/settings.h"
+#include "render/compare.h"
 #include "render/layers.h"
 #include "render/style.h"
 
@@ -56,12 +57,23 @@ struct FigureOptions {
   std::string output;
 };
 
+struct CompareOptions {
+  std::string expected;
+  std::string actual;
+  std::string output;  ///< where expected, actual and difference go side by side; empty: nowhere
+  CompareLimits limits;
+  bool json = false;
+  bool update = false;  ///< accept what is different
+};
+
 /// Simulates and writes what was asked for.
 ExitCode run(const RunOptions& options);
 /// Answers whether the scene stands.
 ExitCode check(const CheckOptions& options);
 /// Draws one instant.
 ExitCode figure(const FigureOptions& options);
+/// Tells whether pictures, or folders of them, are the same.
+ExitCode compare(const CompareOptions& options);
 /// Lists the scenes that come along, or prints the one named.
 ExitCode scenes(const std::string& name);
 /// Prints the JSON Schema of scenes.

@@ -7,7 +7,7 @@ namespace wuerfel {
 
 enum class ExitCode {
   fine = 0,
-  negative = 1,   ///< falls or moves
+  negative = 1,   ///< falls or moves; pictures differ
   bad_input = 2,  ///< usage or scene error
   undecided = 3,  ///< or over the error budget
   internal = 4,

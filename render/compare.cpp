@@ -123,12 +123,18 @@ Image side_by_side(const Image& expected,
                    Font& font) {
   constexpr int gap = 12;
   constexpr int title_height = 26;
+  constexpr int widest = 16384;  // an image's limit
   const Image difference = difference_picture(expected, actual, limits);
   const std::array<const Image*, 3> parts{&expected, &actual, &difference};
   const std::array<std::string_view, 3> titles{"expected", "actual", "difference"};
-  const int width = expected.width() + actual.width() + difference.width() + 4 * gap;
-  Image sheet(width, difference.height() + title_height + gap, rgb(0xDDE1E7));
+  const int row_width = expected.width() + actual.width() + difference.width() + 4 * gap;
+  const bool in_a_row = row_width <= widest;
+  const int column_height =
+      expected.height() + actual.height() + difference.height() + 3 * title_height + gap;
+  Image sheet(in_a_row ? row_width : difference.width() + 2 * gap,
+              in_a_row ? difference.height() + title_height + gap : column_height, rgb(0xDDE1E7));
   int x = gap;
+  int y = title_height;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Image& part = *parts.at(i);
     Image opaque = part;
@@ -137,14 +143,18 @@ Image side_by_side(const Image& expected,
         opaque.set(column, row, on_paper(part.at(column, row)));
       }
     }
-    paste(opaque, x, title_height, sheet);
+    paste(opaque, x, y, sheet);
     TextShape title;
     title.text = titles.at(i);
-    title.baseline = {static_cast<float>(x), 18.0F};
+    title.baseline = {static_cast<float>(x), static_cast<float>(y - 8)};
     title.size = 13.0F;
     title.color = rgb(0x1B2430);
     blend_text(title, font, sheet);
-    x += part.width() + gap;
+    if (in_a_row) {
+      x += part.width() + gap;
+    } else {
+      y += part.height() + title_height;
+    }
   }
   return sheet;
 }

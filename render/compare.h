@@ -51,7 +51,8 @@ Image difference_picture(const Image& expected,
                          const Image& actual,
                          const CompareLimits& limits = {});
 
-/// expected | actual | difference with their names above, for a human eye.
+/// expected | actual | difference with their names above, for a human eye; one below the other
+/// where they would be wider than an image can be.
 Image side_by_side(const Image& expected,
                    const Image& actual,
                    const CompareLimits& limits,
