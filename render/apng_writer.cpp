@@ -34,7 +34,8 @@ ApngWriter::ApngWriter(const std::string& path, const AnimationSettings& setting
 }
 
 void ApngWriter::begin(const CompressedImage& first) {
-  const std::vector<std::uint8_t> still = assemble_png(first, {});
+  std::vector<std::uint8_t> still;
+  assemble_png(first, {}, still);
   buffer_.assign(still.begin(), still.begin() + static_cast<std::ptrdiff_t>(animation_control_at));
   const std::vector<std::uint8_t> control = animation_control(0);
   buffer_.insert(buffer_.end(), control.begin(), control.end());
@@ -83,7 +84,7 @@ void ApngWriter::repeat() {
 /// The picture data of the frame that the control chunk in the buffer announces; writes both.
 void ApngWriter::add_data(const CompressedImage& image) {
   if (frames_ == 0) {
-    append_chunk("IDAT", image.stream, buffer_);
+    append_chunk("IDAT", image.stream, image.check_sum, buffer_);
   } else {
     std::vector<std::uint8_t> data;
     append_u32(sequence_++, data);

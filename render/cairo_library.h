@@ -12,10 +12,10 @@ namespace wuerfel {
 #define WUERFEL_CAIRO_FUNCTIONS(X)                                                                      \
   X(arc) X(clip) X(close_path) X(create) X(destroy) X(fill) X(fill_preserve) X(font_face_destroy) X(font_face_set_user_data)        \
   X(ft_font_face_create_for_ft_face) X(glyph_path) X(line_to) X(move_to) X(new_path)                     \
-  X(pdf_surface_create_for_stream) X(rectangle) X(scale) X(set_font_face)    \
+  X(pdf_surface_create_for_stream) X(rectangle) X(restore) X(save) X(scale) X(set_font_face)    \
   X(set_font_size) X(set_line_cap) X(set_line_join) X(set_line_width) X(set_miter_limit)                 \
   X(set_source_rgba) X(show_text_glyphs) X(status) X(status_to_string) X(stroke) X(surface_destroy)      \
-  X(surface_finish) X(svg_surface_create_for_stream) X(svg_surface_set_document_unit)
+  X(surface_finish) X(svg_surface_create_for_stream) X(svg_surface_set_document_unit) X(translate)
 // clang-format on
 
 struct CairoLibrary {

@@ -1,14 +1,15 @@
 #include "render/film_strip.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "render/error.h"
 #include "render/frame_options.h"
-#include "render/text.h"
 
 namespace wuerfel {
 namespace {
@@ -17,16 +18,16 @@ constexpr int smallest_cell = 16;
 constexpr double gap_size = 14.0;  ///< px of a 1280x720 picture
 constexpr double caption_size = 13.0;
 
-/// A thin border, so that frames on a white page stay apart.
-void frame_border(int x, int y, const StripLayout& layout, Color color, Image& sheet) {
-  for (int i = -1; i <= layout.cell_width; ++i) {
-    sheet.set(x + i, y - 1, color);
-    sheet.set(x + i, y + layout.cell_height, color);
-  }
-  for (int i = -1; i <= layout.cell_height; ++i) {
-    sheet.set(x - 1, y + i, color);
-    sheet.set(x + layout.cell_width, y + i, color);
-  }
+/// Strokes of one pixel just outside the frame at `place`.
+void add_border(CellPlace place, const StripLayout& layout, Color color, DrawList& page) {
+  const float left = static_cast<float>(place.x) - 0.5F;
+  const float top = static_cast<float>(place.y) - 0.5F;
+  const float right = static_cast<float>(place.x + layout.cell_width) + 0.5F;
+  const float bottom = static_cast<float>(place.y + layout.cell_height) + 0.5F;
+  const std::array<Pixel, 5> corners{
+      {{left, top}, {right, top}, {right, bottom}, {left, bottom}, {left, top}}};
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    page.add(SegmentShape{corners.at(i), corners.at(i + 1), 0.5F, 1.0F, color});
 }
 
 }  // namespace
@@ -64,29 +65,33 @@ std::vector<double> strip_times(int count, double end) {
   return times;
 }
 
-Image film_strip(std::span<const Image> frames,
-                 std::span<const std::string> captions,
-                 const StripLayout& layout,
-                 const Style& style,
-                 Font& font) {
-  Image sheet(layout.width, layout.height, style.background);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const int column = static_cast<int>(i) % layout.grid.columns;
-    const int row = static_cast<int>(i) / layout.grid.columns;
-    const int x = layout.gap + column * (layout.cell_width + layout.gap);
-    const int y = layout.gap + row * (layout.cell_height + layout.caption_height + layout.gap);
-    paste(frames[i], x, y, sheet);
-    frame_border(x, y, layout, style.grid_axis, sheet);
+CellPlace cell_place(const StripLayout& layout, std::size_t i) {
+  const int column = static_cast<int>(i) % layout.grid.columns;
+  const int row = static_cast<int>(i) / layout.grid.columns;
+  return {layout.gap + column * (layout.cell_width + layout.gap),
+          layout.gap + row * (layout.cell_height + layout.caption_height + layout.gap)};
+}
+
+DrawList strip_page(std::span<const std::string> captions,
+                    const StripLayout& layout,
+                    const Style& style) {
+  DrawList page;
+  page.width = layout.width;
+  page.height = layout.height;
+  page.background = style.background;
+  for (std::size_t i = 0; i < captions.size(); ++i) {
+    const CellPlace place = cell_place(layout, i);
+    add_border(place, layout, style.grid_axis, page);
     TextShape caption;
     caption.text = captions[i];
     caption.size = static_cast<float>(caption_size * layout.unit);
     caption.baseline = {
-        static_cast<float>(x),
-        static_cast<float>(y + layout.cell_height + 1.25 * caption_size * layout.unit)};
+        static_cast<float>(place.x),
+        static_cast<float>(place.y + layout.cell_height + 1.25 * caption_size * layout.unit)};
     caption.color = style.quiet_ink;
-    blend_text(caption, font, sheet);
+    page.texts.push_back(std::move(caption));
   }
-  return sheet;
+  return page;
 }
 
 }  // namespace wuerfel

@@ -1,13 +1,13 @@
 /// Film strip: several moments in one picture, for a report.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "render/font.h"
-#include "render/image.h"
+#include "render/draw_list.h"
 #include "render/style.h"
 
 namespace wuerfel {
@@ -37,12 +37,17 @@ StripLayout strip_layout(StripGrid grid, int width, int height, double scale);
 /// `count` times from 0 to `end`, both included, evenly spaced (one: the end).
 std::vector<double> strip_times(int count, double end);
 
-/// Frames row by row, each with its caption below (for instance its time), on the style's
-/// background.
-Image film_strip(std::span<const Image> frames,
-                 std::span<const std::string> captions,
-                 const StripLayout& layout,
-                 const Style& style,
-                 Font& font);
+/// Where the frame `i` of a strip has its upper left corner.
+struct CellPlace {
+  int x = 0;  ///< px
+  int y = 0;
+};
+CellPlace cell_place(const StripLayout& layout, std::size_t i);
+
+/// What a strip shows besides its frames: the background, a thin border around every frame, so that
+/// frames on a white page stay apart, and below it the caption (for instance its time).
+DrawList strip_page(std::span<const std::string> captions,
+                    const StripLayout& layout,
+                    const Style& style);
 
 }  // namespace wuerfel

@@ -34,6 +34,8 @@ void ForceRange::include(const Snapshot& snapshot) {
     ++histogram_.at(static_cast<std::size_t>(std::clamp(bin, 0.0, last)));
     ++count_;
   }
+  // Sizes never change: the first snapshot tells them all.
+  if (side_count_ > 0) return;
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
     side_sum_ += std::sqrt(box.size.x() * box.size.y());

@@ -8,7 +8,9 @@
 namespace wuerfel {
 
 FramePipeline::FramePipeline(PipelineSettings settings, PipelineOutputs outputs)
-    : settings_(std::move(settings)), outputs_(std::move(outputs)) {
+    : settings_(std::move(settings)),
+      outputs_(std::move(outputs)),
+      all_texts_(text_chunks(settings_.texts)) {
   for (std::size_t slot = 0; slot < slots; ++slot)
     free_slots_.push(slot);
   drawing_ = std::thread([this] { run_guarded(&FramePipeline::draw_frames); });
@@ -46,8 +48,8 @@ void FramePipeline::rethrow_failure() {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-void FramePipeline::add(Snapshot snapshot, std::vector<PngText> texts) {
-  if (!jobs_.push({std::move(snapshot), std::move(texts)})) rethrow_failure();
+void FramePipeline::add(FrameJob job) {
+  if (!jobs_.push(std::move(job))) rethrow_failure();
 }
 
 void FramePipeline::finish() {
@@ -62,13 +64,15 @@ void FramePipeline::draw_frames() {
   const bool shows_time = settings_.options.layers.has(Layer::hud);
   DrawList last;
   std::optional<std::uint64_t> last_revision;
-  while (std::optional<Job> job = jobs_.pop()) {
+  View last_view;
+  while (std::optional<FrameJob> job = jobs_.pop()) {
     Drawn frame{std::nullopt, std::move(job->texts)};
     // Equal revisions differ in the time alone; equal lists are equal pictures.
-    const bool known = !shows_time && last_revision == job->snapshot.revision;
+    const bool known =
+        !shows_time && last_revision == job->snapshot.revision && last_view == job->view;
     if (!known) {
-      DrawList list = compose_frame(job->snapshot, settings_.view, settings_.style,
-                                    settings_.options, renderer.font());
+      DrawList list = compose_frame(job->snapshot, job->view, settings_.style, settings_.options,
+                                    renderer.font());
       if (!last_revision || list != last) {
         frame.slot = free_slots_.pop();
         if (!frame.slot) return;
@@ -76,6 +80,7 @@ void FramePipeline::draw_frames() {
         last = std::move(list);
       }
       last_revision = job->snapshot.revision;
+      last_view = job->view;
     }
     if (!frame.slot) ++reused_;
     if (!drawn_.push(std::move(frame))) return;
@@ -105,10 +110,13 @@ void FramePipeline::write_frame(const Drawn& frame, const Image& image) {
   if (!outputs_.take_png) return;
   if (frame.slot) {
     const bool opaque = settings_.style.background.a == 255;
-    compressed_ = compress_image(image, PngEncoder::run_length,
-                                 opaque ? PngChannels::rgb : PngChannels::rgba);
+    compressed_ =
+        compress_image(image, settings_.encoder, opaque ? PngChannels::rgb : PngChannels::rgba);
   }
-  outputs_.take_png(assemble_png(compressed_, frame.texts));
+  std::vector<std::uint8_t> texts = text_chunks(frame.texts);
+  texts.insert(texts.end(), all_texts_.begin(), all_texts_.end());
+  assemble_png(compressed_, texts, file_);
+  outputs_.take_png(file_);
 }
 
 }  // namespace wuerfel

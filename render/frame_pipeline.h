@@ -10,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -27,14 +28,22 @@ namespace wuerfel {
 
 /// What is the same for all frames.
 struct PipelineSettings {
-  View view;
   Style style;
   FrameOptions options;
+  std::vector<PngText> texts;  ///< of every PNG; compressed once
+  PngEncoder encoder = PngEncoder::run_length;
+};
+
+/// What is to be drawn, how it is looked at, and what its PNG says of it.
+struct FrameJob {
+  Snapshot snapshot;
+  View view;
+  std::vector<PngText> texts;
 };
 
 /// Where frames go. Called from the encoding thread, in the order of the frames.
 struct PipelineOutputs {
-  std::function<void(std::vector<std::uint8_t>)>
+  std::function<void(std::span<const std::uint8_t>)>
       take_png;  ///< a whole PNG file per frame; empty: none wanted
   std::vector<AnimationWriter*>
       films;  ///< outlive the pipeline; finishing them is left to their owner
@@ -53,9 +62,9 @@ class FramePipeline {
   FramePipeline(FramePipeline&&) = delete;
   FramePipeline& operator=(FramePipeline&&) = delete;
 
-  /// The next frame, with the texts of its PNG. Waits while the queue is full. Throws what drawing
-  /// or writing an earlier frame threw.
-  void add(Snapshot snapshot, std::vector<PngText> texts = {});
+  /// The next frame. Waits while the queue is full. Throws what drawing or writing an earlier frame
+  /// threw.
+  void add(FrameJob job);
   /// Waits until all frames are written. Throws what went wrong; then some of the frames are
   /// missing.
   void finish();
@@ -63,10 +72,6 @@ class FramePipeline {
   long reused() const { return reused_; }
 
  private:
-  struct Job {
-    Snapshot snapshot;
-    std::vector<PngText> texts;
-  };
   struct Drawn {
     std::optional<std::size_t> slot;  ///< of the picture; nothing: as before
     std::vector<PngText> texts;
@@ -83,10 +88,12 @@ class FramePipeline {
   PipelineOutputs outputs_;
   static constexpr std::size_t slots = 4;  ///< one being drawn, one being encoded, two waiting
   std::array<Image, slots> images_;
-  BoundedQueue<Job> jobs_{4};
+  BoundedQueue<FrameJob> jobs_{4};
   BoundedQueue<Drawn> drawn_{slots};
   BoundedQueue<std::size_t> free_slots_{slots};
-  CompressedImage compressed_;
+  CompressedImage compressed_;           ///< the last picture
+  std::vector<std::uint8_t> all_texts_;  ///< chunks of the texts of every PNG
+  std::vector<std::uint8_t> file_;
   std::atomic<long> reused_ = 0;
   std::mutex failure_mutex_;
   std::exception_ptr failure_;

@@ -151,35 +151,56 @@ std::vector<std::uint8_t> stream_by_libpng(const Image& image, bool alpha) {
 
 }  // namespace
 
+std::string_view to_string(PngEncoder encoder) {
+  switch (encoder) {
+    case PngEncoder::run_length:
+      return "run-length";
+    case PngEncoder::libpng:
+      return "libpng";
+  }
+  return "?";
+}
+
 CompressedImage compress_image(const Image& image, PngEncoder encoder, PngChannels channels) {
-  CompressedImage compressed{image.width(), image.height(), channels == PngChannels::rgba, {}};
+  CompressedImage compressed{image.width(), image.height(), channels == PngChannels::rgba, {}, 0};
   if (channels == PngChannels::automatic) compressed.alpha = !image.opaque();
   compressed.stream = encoder == PngEncoder::libpng
                           ? stream_by_libpng(image, compressed.alpha)
                           : deflate_image(image, compressed.alpha ? 4 : 3);
+  compressed.check_sum = chunk_check_sum("IDAT", compressed.stream);
   return compressed;
 }
 
-std::vector<std::uint8_t> assemble_png(const CompressedImage& image,
-                                       std::span<const PngText> texts) {
-  std::vector<std::uint8_t> file(png_signature.begin(), png_signature.end());
+std::vector<std::uint8_t> text_chunks(std::span<const PngText> texts) {
+  std::vector<std::uint8_t> chunks;
+  for (const PngText& text : texts)
+    append_text(text, chunks);
+  return chunks;
+}
+
+void assemble_png(const CompressedImage& image,
+                  std::span<const std::uint8_t> text_chunks,
+                  std::vector<std::uint8_t>& file) {
+  constexpr std::size_t all_else = 128;  // signature, header, frames of the chunks
+  file.reserve(image.stream.size() + text_chunks.size() + all_else);
+  file.assign(png_signature.begin(), png_signature.end());
   std::vector<std::uint8_t> header;
   append_u32(static_cast<std::uint32_t>(image.width), header);
   append_u32(static_cast<std::uint32_t>(image.height), header);
   constexpr std::uint8_t depth = 8;
   header.insert(header.end(), {depth, static_cast<std::uint8_t>(image.alpha ? 6 : 2), 0, 0, 0});
   append_chunk("IHDR", header, file);
-  for (const PngText& text : texts)
-    append_text(text, file);
-  append_chunk("IDAT", image.stream, file);
+  file.insert(file.end(), text_chunks.begin(), text_chunks.end());
+  append_chunk("IDAT", image.stream, image.check_sum, file);
   append_chunk("IEND", {}, file);
-  return file;
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image,
                                      std::span<const PngText> texts,
                                      PngEncoder encoder) {
-  return assemble_png(compress_image(image, encoder), texts);
+  std::vector<std::uint8_t> file;
+  assemble_png(compress_image(image, encoder), text_chunks(texts), file);
+  return file;
 }
 
 PngFile decode_png(std::span<const std::uint8_t> bytes) {

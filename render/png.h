@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/image.h"
@@ -30,9 +31,11 @@ enum class PngChannels {
 
 /// Who compresses. Bytes and sizes differ, pixels don't.
 enum class PngEncoder {
-  run_length,  ///< our own (deflate.h): for films, several times faster than zlib's fastest
-  libpng,      ///< zlib level 6 without filters: for single pictures, a fifth smaller
+  run_length,  ///< our own (deflate.h), several times faster than zlib's fastest
+  libpng,      ///< zlib level 1 without filters
 };
+/// "run-length", "libpng", else "?".
+std::string_view to_string(PngEncoder encoder);
 
 /// The compressed pixels of a PNG file, to be used again with other texts.
 struct CompressedImage {
@@ -40,14 +43,19 @@ struct CompressedImage {
   int height = 0;
   bool alpha = false;
   std::vector<std::uint8_t> stream;  ///< zlib, as it stands in IDAT
+  std::uint32_t check_sum = 0;       ///< of the IDAT chunk
 };
 CompressedImage compress_image(const Image& image,
                                PngEncoder encoder = PngEncoder::run_length,
                                PngChannels channels = PngChannels::automatic);
 
-/// The bytes of a PNG file.
-std::vector<std::uint8_t> assemble_png(const CompressedImage& image,
-                                       std::span<const PngText> texts);
+/// The chunks of these texts, to be used in several files.
+std::vector<std::uint8_t> text_chunks(std::span<const PngText> texts);
+
+/// Makes `file` a PNG file of chunks that are there already.
+void assemble_png(const CompressedImage& image,
+                  std::span<const std::uint8_t> text_chunks,
+                  std::vector<std::uint8_t>& file);
 
 /// Both in one. The same image and texts give the same bytes.
 std::vector<std::uint8_t> encode_png(const Image& image,

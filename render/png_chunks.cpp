@@ -37,16 +37,28 @@ void append_u16(std::uint32_t value, std::vector<std::uint8_t>& bytes) {
   bytes.push_back(static_cast<std::uint8_t>(value & 0xFFU));
 }
 
+std::uint32_t chunk_check_sum(std::string_view type, std::span<const std::uint8_t> data) {
+  const uLong sum =
+      crc32(0, reinterpret_cast<const Bytef*>(type.data()), static_cast<uInt>(type.size()));
+  // Where there are no bytes, their address may be null, which zlib takes for a new beginning.
+  if (data.empty()) return static_cast<std::uint32_t>(sum);
+  return static_cast<std::uint32_t>(crc32_z(sum, data.data(), data.size()));
+}
+
 void append_chunk(std::string_view type,
                   std::span<const std::uint8_t> data,
                   std::vector<std::uint8_t>& file) {
+  append_chunk(type, data, chunk_check_sum(type, data), file);
+}
+
+void append_chunk(std::string_view type,
+                  std::span<const std::uint8_t> data,
+                  std::uint32_t check_sum,
+                  std::vector<std::uint8_t>& file) {
   append_u32(static_cast<std::uint32_t>(data.size()), file);
-  const std::size_t start = file.size();
   file.insert(file.end(), type.begin(), type.end());
   file.insert(file.end(), data.begin(), data.end());
-  const std::uint8_t* checked = file.data() + start;
-  append_u32(static_cast<std::uint32_t>(crc32(0, checked, static_cast<uInt>(file.size() - start))),
-             file);
+  append_u32(check_sum, file);
 }
 
 }  // namespace wuerfel

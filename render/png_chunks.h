@@ -25,6 +25,14 @@ void append_chunk(std::string_view type,
                   std::span<const std::uint8_t> data,
                   std::vector<std::uint8_t>& file);
 
+/// The same where the check sum is known already.
+void append_chunk(std::string_view type,
+                  std::span<const std::uint8_t> data,
+                  std::uint32_t check_sum,
+                  std::vector<std::uint8_t>& file);
+/// CRC-32 of type and data.
+std::uint32_t chunk_check_sum(std::string_view type, std::span<const std::uint8_t> data);
+
 /// Appends big-endian numbers, PNG's only kind.
 void append_u32(std::uint32_t value, std::vector<std::uint8_t>& bytes);
 void append_u16(std::uint32_t value, std::vector<std::uint8_t>& bytes);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,18 +15,23 @@ namespace wuerfel {
 
 enum class VectorFormat { svg, pdf };
 
-/// True for paths that end in .svg or .pdf.
-bool is_vector_path(const std::string& path);
+/// By the suffix of a path: .svg or .pdf; nothing for any other.
+std::optional<VectorFormat> vector_format(const std::string& path);
 
-/// The bytes of the file. One pixel of the list is one pixel of the SVG and 3/4 point of the PDF
-/// (96 to the inch). Text stays text in the PDF, with the letters used embedded. No creation date:
-/// the same list gives the same bytes. Throws RenderError where Cairo is missing.
+/// A picture inside another one.
+struct PlacedList {
+  DrawList list;
+  int x = 0;  ///< px, where its upper left corner lies
+  int y = 0;
+};
+
+/// The bytes of the file: `list`, and `insets` on top of it. One pixel of the list is one pixel of
+/// the SVG and 3/4 point of the PDF (96 to the inch). Text stays text in the PDF, with the letters
+/// used embedded. No creation date: the same list gives the same bytes. Throws RenderError where
+/// Cairo is missing.
 std::vector<std::uint8_t> encode_vector_figure(const DrawList& list,
                                                VectorFormat format,
-                                               Font& font);
-
-/// By the suffix of `path`; the file appears whole or not at all. Throws RenderError and
-/// OutputError.
-void write_vector_figure(const std::string& path, const DrawList& list, Font& font);
+                                               Font& font,
+                                               std::span<const PlacedList> insets = {});
 
 }  // namespace wuerfel

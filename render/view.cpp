@@ -96,7 +96,7 @@ View fixed_view(const Vec2& center, double world_width, int width, int height) {
   return view;
 }
 
-View parse_view(std::string_view text, int width, int height) {
+WorldWindow parse_window(std::string_view text) {
   std::array<double, 3> values{};
   const char* at = text.data();
   const char* const end = text.data() + text.size();
@@ -105,11 +105,14 @@ View parse_view(std::string_view text, int width, int height) {
     const bool separated = i + 1 == values.size() ? next == end : next != end && *next == ',';
     if (error != std::errc{} || !separated) {
       throw RenderError("'" + std::string(text)
-                        + "' is not a view: use fit, or x,y,width in metres such as 0,2.5,8");
+                        + "' is not a view: use fit, x,y,width in metres such as 0,2.5,8, or "
+                          "follow:NAME");
     }
     at = next + 1;
   }
-  return fixed_view(Vec2(values[0], values[1]), values[2], width, height);
+  if (!(values[2] > 0.0) || !std::ranges::all_of(values, [](double v) { return std::isfinite(v); }))
+    throw RenderError("a view needs a finite centre and a width greater than 0 m");
+  return {Vec2(values[0], values[1]), values[2]};
 }
 
 }  // namespace wuerfel

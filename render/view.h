@@ -36,6 +36,7 @@ struct View {
   int height = 720;            ///< px
   Vec2 center = Vec2::Zero();  ///< m, in the middle of the picture
   double pixels_per_metre = 100.0;
+  friend bool operator==(const View&, const View&) = default;
 
   Vec2 to_pixel(const Vec2& world) const {
     return {0.5 * width + (world.x() - center.x()) * pixels_per_metre,
@@ -56,7 +57,13 @@ View fit_view(const Bounds& bounds, int width, int height, const Insets& insets)
 /// width is positive and all is finite.
 View fixed_view(const Vec2& center, double world_width, int width, int height);
 
-/// "x,y,width" -> fixed view. Throws RenderError.
-View parse_view(std::string_view text, int width, int height);
+/// A part of the world as people write it.
+struct WorldWindow {
+  Vec2 center = Vec2::Zero();  ///< m
+  double width = 1.0;          ///< m, from left to right
+};
+
+/// "x,y,width". Throws RenderError unless these are three numbers and the width is positive.
+WorldWindow parse_window(std::string_view text);
 
 }  // namespace wuerfel

@@ -141,15 +141,15 @@ void pipeline(benchmark::State& state, const std::string& film, bool moving) {
     PipelineOutputs outputs;
     std::unique_ptr<AnimationWriter> writer;
     if (film.empty()) {
-      outputs.take_png = [&bytes](const std::vector<std::uint8_t>& file) { bytes += file.size(); };
+      outputs.take_png = [&bytes](std::span<const std::uint8_t> file) { bytes += file.size(); };
     } else {
       writer = make_animation_writer(film, settings);
       outputs.films.push_back(writer.get());
     }
-    FramePipeline stages({view_of(snapshots.front(), options), make_style(Theme::light), options},
-                         outputs);
+    const View view = view_of(snapshots.front(), options);
+    FramePipeline stages({make_style(Theme::light), options, {}, PngEncoder::run_length}, outputs);
     for (const Snapshot& snapshot : snapshots)
-      stages.add(snapshot);
+      stages.add({snapshot, view, {}});
     stages.finish();
     if (writer) writer->finish();
   }

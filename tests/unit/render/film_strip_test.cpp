@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/error.h"
+#include "render/renderer.h"
 
 namespace wuerfel {
 namespace {
@@ -20,31 +21,31 @@ TEST(FilmStrip, TimesAreEvenAndIncludeBothEnds) {
   EXPECT_EQ(strip_times(1, 2.0), (std::vector<double>{2.0}));
 }
 
-TEST(FilmStrip, FramesLieInTheirCellsAndDoNotTouch) {
+TEST(FilmStrip, CellsDoNotTouchAndHaveTheirCaptionsBelow) {
   const StripLayout layout = strip_layout({3, 2}, 640, 360, 1.0);
-  std::vector<Image> frames;
   std::vector<std::string> captions;
-  for (int i = 0; i < 6; ++i) {
-    frames.emplace_back(layout.cell_width, layout.cell_height,
-                        rgb(0x100000U * static_cast<unsigned>(i + 1)));
+  for (int i = 0; i < 6; ++i)
     captions.push_back("t = " + std::to_string(i) + " s");
-  }
-  Font font;
   const Style style = make_style(Theme::light);
-  const Image sheet = film_strip(frames, captions, layout, style, font);
-  EXPECT_EQ(sheet.width(), 640);
-  for (int i = 0; i < 6; ++i) {
-    const int x = layout.gap + i % 3 * (layout.cell_width + layout.gap);
-    const int y = layout.gap + i / 3 * (layout.cell_height + layout.caption_height + layout.gap);
-    EXPECT_EQ(sheet.at(x, y), frames[static_cast<std::size_t>(i)].at(0, 0)) << i;
-    EXPECT_EQ(sheet.at(x + layout.cell_width - 1, y + layout.cell_height - 1),
-              frames[static_cast<std::size_t>(i)].at(0, 0));
-    EXPECT_EQ(sheet.at(x - 2, y), style.background);
+  Renderer renderer;
+  Image page;
+  renderer.draw(strip_page(captions, layout, style), page);
+  EXPECT_EQ(page.width(), 640);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto [x, y] = cell_place(layout, i);
+    ASSERT_LE(x + layout.cell_width, 640);
+    ASSERT_LE(y + layout.cell_height + layout.caption_height, 360);
+    // The border lies outside the frame.
+    EXPECT_EQ(page.at(x, y), style.background) << i;
+    EXPECT_EQ(page.at(x + layout.cell_width - 1, y + layout.cell_height - 1), style.background);
+    EXPECT_EQ(page.at(x - 1, y + 9), style.grid_axis) << i;
+    EXPECT_EQ(page.at(x + layout.cell_width, y + 9), style.grid_axis) << i;
+    EXPECT_EQ(page.at(x - 3, y), style.background);
     bool ink = false;
     for (int row = y + layout.cell_height + 2; row < y + layout.cell_height + layout.caption_height;
          ++row) {
       for (int column = x; column < x + 40; ++column)
-        ink = ink || brightness(sheet.at(column, row)) < 0.6;
+        ink = ink || brightness(page.at(column, row)) < 0.6;
     }
     EXPECT_TRUE(ink) << "caption " << i;
   }

@@ -11,7 +11,7 @@
 
 #include "render/compare.h"
 #include "render/compose_frame.h"
-#include "render/error.h"
+#include "render/output_file.h"
 #include "render/png.h"
 #include "render/renderer.h"
 #include "tests/support/image_scenes.h"
@@ -37,6 +37,13 @@ class VectorFigure : public ::testing::Test {
     const FrameOptions options = testing::literal_options(layers);
     return compose_frame(snapshot, testing::literal_view(snapshot, style, options, 640, 360), style,
                          options, font);
+  }
+
+  void write(const std::string& name, const DrawList& list) {
+    const auto bytes = encode_vector_figure(list, *vector_format(name), font);
+    OutputFile file(path(name));
+    file.write(bytes);
+    file.commit();
   }
 
   std::string encoded(VectorFormat format) {
@@ -74,7 +81,7 @@ TEST_F(VectorFigure, SvgLooksLikeOsmesasPicture) {
        {Layers{Layer::cubes, Layer::rods, Layer::points, Layer::forces},
         Layers{Layer::cubes, Layer::sides}, Layers{Layer::cubes, Layer::rod_forces}}) {
     const DrawList list = compose(Theme::light, layers);
-    write_vector_figure(path("a.svg"), list, font);
+    write("a.svg", list);
     ASSERT_EQ(
         std::system(("rsvg-convert '" + path("a.svg") + "' -o '" + path("a.png") + "'").c_str()),
         0);
@@ -85,7 +92,7 @@ TEST_F(VectorFigure, SvgLooksLikeOsmesasPicture) {
 
 TEST_F(VectorFigure, MissingArrowWouldBeSeen) {
   DrawList list = compose(Theme::light, {Layer::cubes, Layer::forces});
-  write_vector_figure(path("a.svg"), list, font);
+  write("a.svg", list);
   ASSERT_EQ(
       std::system(("rsvg-convert '" + path("a.svg") + "' -o '" + path("a.png") + "'").c_str()), 0);
   list.runs.back().count -= 3;
@@ -95,7 +102,7 @@ TEST_F(VectorFigure, MissingArrowWouldBeSeen) {
 TEST_F(VectorFigure, PdfLooksLikeOsmesasPicture) {
   const DrawList list =
       compose(Theme::light, {Layer::cubes, Layer::rods, Layer::forces, Layer::contacts});
-  write_vector_figure(path("a.pdf"), list, font);
+  write("a.pdf", list);
   ASSERT_EQ(
       std::system(
           ("pdftoppm -r 96 -singlefile -png '" + path("a.pdf") + "' '" + path("a") + "'").c_str()),
@@ -113,23 +120,45 @@ TEST_F(VectorFigure, CarriesNoDate) {
 }
 
 TEST_F(VectorFigure, PdfKeepsTextAsText) {
-  write_vector_figure(path("a.pdf"), compose(Theme::light, default_layers), font);
+  write("a.pdf", compose(Theme::light, default_layers));
   ASSERT_EQ(std::system(
                 ("pdftotext '" + path("a.pdf") + "' - | grep -q 'Drei Würfel auf dreien'").c_str()),
             0);
 }
 
 TEST_F(VectorFigure, TransparentThemeHasNoBackground) {
-  write_vector_figure(path("a.svg"), compose(Theme::transparent, {Layer::forces}), font);
+  write("a.svg", compose(Theme::transparent, {Layer::forces}));
   ASSERT_EQ(
       std::system(("rsvg-convert '" + path("a.svg") + "' -o '" + path("a.png") + "'").c_str()), 0);
   EXPECT_EQ(read_png(path("a.png")).image.at(2, 2).a, 0);
 }
 
-TEST_F(VectorFigure, OtherSuffixIsAnError) {
-  EXPECT_TRUE(is_vector_path("a.svg"));
-  EXPECT_FALSE(is_vector_path("a.png"));
-  EXPECT_THROW(write_vector_figure(path("a.eps"), DrawList(), font), RenderError);
+TEST_F(VectorFigure, InsetsAreCutOffAtTheirBorders) {
+  DrawList page;
+  page.width = 100;
+  page.height = 60;
+  page.background = rgb(0xFFFFFF);
+  PlacedList inset{{}, 40, 20};
+  inset.list.width = 30;
+  inset.list.height = 10;
+  inset.list.background = rgb(0x0000FF);
+  inset.list.add(SegmentShape{{-50.0F, 5.0F}, {50.0F, 5.0F}, 1.0F, 0.0F, rgb(0xFF0000)});
+  OutputFile file(path("a.svg"));
+  file.write(encode_vector_figure(page, VectorFormat::svg, font, {&inset, 1}));
+  file.commit();
+  ASSERT_EQ(
+      std::system(("rsvg-convert '" + path("a.svg") + "' -o '" + path("a.png") + "'").c_str()), 0);
+  const Image image = read_png(path("a.png")).image;
+  EXPECT_EQ(image.at(41, 21), rgb(0x0000FF));
+  EXPECT_EQ(image.at(41, 25), rgb(0xFF0000));
+  EXPECT_EQ(image.at(38, 25), rgb(0xFFFFFF));
+  EXPECT_EQ(image.at(71, 25), rgb(0xFFFFFF));
+}
+
+TEST_F(VectorFigure, FormatIsToldBySuffix) {
+  EXPECT_EQ(vector_format("a.svg"), VectorFormat::svg);
+  EXPECT_EQ(vector_format("a.pdf"), VectorFormat::pdf);
+  EXPECT_EQ(vector_format("a.png"), std::nullopt);
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ TEST(Bounds, ReachTheNearGroundButNotTheFarOne) {
 }
 
 TEST(View, IsParsedFromCentreAndWidth) {
-  const View view = parse_view("1,2.5,8", 800, 400);
+  const WorldWindow window = parse_window("1,2.5,8");
+  const View view = fixed_view(window.center, window.width, 800, 400);
   EXPECT_EQ(view.center, Vec2(1.0, 2.5));
   EXPECT_EQ(view.pixels_per_metre, 100.0);
 }
@@ -100,7 +101,7 @@ TEST(View, IsParsedFromCentreAndWidth) {
 TEST(View, WrongTextsAreErrors) {
   for (const char* text : {"", "1,2", "1,2,0", "1,2,-3", "1,2,3,4", "a,b,c", "1;2;3", "1,2,nan",
                            "inf,0,1", "1,2,3 "}) {
-    EXPECT_THROW(parse_view(text, 640, 360), RenderError) << text;
+    EXPECT_THROW(parse_window(text), RenderError) << text;
   }
 }
 
