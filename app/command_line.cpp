@@ -1,6 +1,5 @@
 #include "app/command_line.h"
 
-#include <cmath>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -26,8 +25,20 @@ void require_one_on_stdout(const RunOptions& options) {
   if (users > 1) throw UsageError("only one of --json and the files can be standard output");
 }
 
-void require_png(const Text& name) {
-  if (!name.ends_with(".png")) throw UsageError(fmt::format("-o: '{}' does not end in .png", name));
+void require_still(const FigureOptions& options) {
+  const Text& name = options.output;
+  if (!name.ends_with(".png") && !vector_format(name))
+    throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
+  const auto& strip = options.still.strip;
+  const std::size_t room =
+      strip ? static_cast<std::size_t>(strip->columns) * static_cast<std::size_t>(strip->rows) : 1;
+  if (options.times.size() > room) {
+    throw UsageError(strip ? fmt::format("-t: {} times do not fit into a strip of {}",
+                                         options.times.size(), room)
+                           : "-t: several times need a --strip such as 4x2");
+  }
+  if (options.until && (!strip || !options.times.empty()))
+    throw UsageError("--until is the end of a --strip whose times are not given");
 }
 
 CLI::App* add_run(CLI::App& program, RunOptions& options) {
@@ -40,11 +51,7 @@ CLI::App* add_run(CLI::App& program, RunOptions& options) {
               require_picture_output(text);
               options.outputs.push_back(text);
             });
-  add_single(*app, "--fps", "F", "frames per second of the film [60]",
-             [&options](const Text& text) { options.rate.fps = parse_positive("--fps", text); });
-  add_single(
-      *app, "--speed", "X", "simulated time per film time, 0.1 is slow motion [1]",
-      [&options](const Text& text) { options.rate.speed = parse_positive("--speed", text); });
+  add_rate_options(*app, options.rate);
   add_single(*app, "--until", "T", "end in s [the scene's duration]",
              [&options](const Text& text) { options.until = parse_time("--until", text); });
   add_value(*app, "--sample", "T1,T2,..", "report the state at these times",
@@ -61,6 +68,7 @@ CLI::App* add_run(CLI::App& program, RunOptions& options) {
   app->add_flag("--json", options.json, "print the summary as JSON");
   app->add_flag("--quiet", options.quiet, "no progress and no notes");
   add_picture_options(*app, options.picture);
+  add_encoder_option(*app, options.picture.encoder);
   add_motion_options(*app, options.motion);
   return app;
 }
@@ -75,28 +83,23 @@ CLI::App* add_check(CLI::App& program, CheckOptions& options) {
 }
 
 CLI::App* add_figure(CLI::App& program, FigureOptions& options) {
-  CLI::App* app = program.add_subcommand("figure", "draw one instant");
+  CLI::App* app = program.add_subcommand("figure", "draw one instant, or a strip of several");
   add_scene(*app, options.scene);
-  add_single(*app, "-t,--time", "T", "instant in s [0]",
-             [&options](const Text& text) { options.time = parse_time("-t", text); });
-  app->add_option("-o,--output", options.output, "picture: .png")->type_name("FILE")->required();
-  add_picture_options(*app, options.picture);
-  add_motion_options(*app, options.motion);
+  add_value(*app, "-t,--time", "T1,T2,..", "instant in s, several for a strip [0]",
+            [&options](const Text& text) {
+              for (const Text& time : split_list(text))
+                options.times.push_back(parse_time("-t", time));
+            });
+  add_strip_option(*app, options.still.strip);
+  add_single(*app, "--until", "T", "end of the even times of a strip in s [the scene's duration]",
+             [&options](const Text& text) { options.until = parse_time("--until", text); });
+  app->add_option("-o,--output", options.output, "picture: .png, or sharp at any size .svg .pdf")
+      ->type_name("FILE")
+      ->required();
+  add_picture_options(*app, options.still.picture);
+  add_encoder_option(*app, options.still.picture.encoder);
+  add_motion_options(*app, options.still.motion);
   return app;
-}
-
-int parse_difference(const Text& text) {
-  const double value = parse_number("--max-difference", text);
-  if (value < 0.0 || value > 255.0 || value != std::floor(value))
-    throw UsageError(fmt::format("--max-difference: '{}' is no whole number of 0 to 255", text));
-  return static_cast<int>(value);
-}
-
-double parse_share(const Text& text) {
-  const double value = parse_number("--max-share", text);
-  if (value < 0.0 || value > 1.0)
-    throw UsageError(fmt::format("--max-share: {} is not between 0 and 1", text));
-  return value;
 }
 
 CLI::App* add_compare(CLI::App& program, CompareOptions& options) {
@@ -110,12 +113,20 @@ CLI::App* add_compare(CLI::App& program, CompareOptions& options) {
                   "expected, actual and difference side by side, where pixels differ; a folder "
                   "where folders are compared")
       ->type_name("DIFF.png");
-  add_single(
-      *app, "--max-difference", "N", "of a channel (0 to 255) that still counts as same [4]",
-      [&options](const Text& text) { options.limits.largest_difference = parse_difference(text); });
-  add_single(*app, "--max-share", "S", "of pixels (0 to 1) that may differ that much [0.05]",
-             [&options](const Text& text) { options.limits.largest_share = parse_share(text); });
+  add_compare_limits(*app, options.limits);
   app->add_flag("--update", options.update, "accept: copy ACTUAL over EXPECTED where they differ");
+  app->add_flag("--json", options.json, "print the answer as JSON");
+  return app;
+}
+
+CLI::App* add_reproduce(CLI::App& program, ReproduceOptions& options) {
+  CLI::App* app = program.add_subcommand(
+      "reproduce", "make a picture again from what it carries: exit 0 same, 1 differs");
+  app->add_option("FRAME", options.picture, ".png file that `run` or `figure` made")
+      ->required()
+      ->type_name("");
+  app->add_option("-o,--output", options.output, "the picture made again")->type_name("FILE.png");
+  add_compare_limits(*app, options.limits);
   app->add_flag("--json", options.json, "print the answer as JSON");
   return app;
 }
@@ -135,11 +146,13 @@ std::optional<Command> parse_command_line(int argc,
   CheckOptions check_options;
   FigureOptions figure_options;
   CompareOptions compare_options;
+  ReproduceOptions reproduce_options;
   Text scene_name;
   const CLI::App* run_app = add_run(program, run_options);
   const CLI::App* check_app = add_check(program, check_options);
   const CLI::App* figure_app = add_figure(program, figure_options);
   const CLI::App* compare_app = add_compare(program, compare_options);
+  const CLI::App* reproduce_app = add_reproduce(program, reproduce_options);
   CLI::App* scenes_app =
       program.add_subcommand("scenes", "list the scenes that come along, or print one");
   scenes_app->add_option("NAME", scene_name, "scene to print")->type_name("");
@@ -156,11 +169,12 @@ std::optional<Command> parse_command_line(int argc,
     throw UsageError(error.what());
   }
   if (run_app->parsed()) require_one_on_stdout(run_options);
-  if (figure_app->parsed()) require_png(figure_options.output);
+  if (figure_app->parsed()) require_still(figure_options);
   if (run_app->parsed()) return [run_options] { return run(run_options); };
   if (check_app->parsed()) return [check_options] { return check(check_options); };
   if (figure_app->parsed()) return [figure_options] { return figure(figure_options); };
   if (compare_app->parsed()) return [compare_options] { return compare(compare_options); };
+  if (reproduce_app->parsed()) return [reproduce_options] { return reproduce(reproduce_options); };
   if (scenes_app->parsed()) return [scene_name] { return scenes(scene_name); };
   return [] { return schema(); };
 }

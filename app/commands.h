@@ -5,26 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "app/argument.h"
 #include "app/exit_code.h"
+#include "app/picture_options.h"
 #include "app/scene_source.h"
+#include "app/still.h"
 #include "app/stopwatch.h"
 #include "app/timetable.h"
 #include "core/settings.h"
 #include "render/compare.h"
-#include "render/layers.h"
-#include "render/style.h"
 
 namespace wuerfel {
-
-/// How pictures look.
-struct PictureOptions {
-  PixelSize size;
-  Layers layers = default_layers;
-  Theme theme = Theme::light;
-  std::optional<double> force_scale;  ///< m/N; none: fits the run
-  std::string view = "fit";           ///< or "x,y,width" in metres
-};
 
 struct RunOptions {
   SceneChoice scene;
@@ -51,9 +41,9 @@ struct CheckOptions {
 
 struct FigureOptions {
   SceneChoice scene;
-  MotionSettings motion;
-  PictureOptions picture;
-  double time = 0.0;  ///< s
+  StillOptions still;           ///< but for the times
+  std::vector<double> times;    ///< s; none: the start, or even times of a strip
+  std::optional<double> until;  ///< s, end of even times; none: the scene's duration
   std::string output;
 };
 
@@ -66,14 +56,23 @@ struct CompareOptions {
   bool update = false;  ///< accept what is different
 };
 
+struct ReproduceOptions {
+  std::string picture;
+  std::string output;  ///< the picture made again; empty: nowhere
+  CompareLimits limits;
+  bool json = false;
+};
+
 /// Simulates and writes what was asked for.
 ExitCode run(const RunOptions& options);
 /// Answers whether the scene stands.
 ExitCode check(const CheckOptions& options);
-/// Draws one instant.
+/// Draws one instant or a strip of several.
 ExitCode figure(const FigureOptions& options);
 /// Tells whether pictures, or folders of them, are the same.
 ExitCode compare(const CompareOptions& options);
+/// Makes a picture again from what it carries and compares.
+ExitCode reproduce(const ReproduceOptions& options);
 /// Lists the scenes that come along, or prints the one named.
 ExitCode scenes(const std::string& name);
 /// Prints the JSON Schema of scenes.

@@ -1,6 +1,7 @@
 #include "app/frame_folder.h"
 
 #include <cerrno>
+#include <string>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "render/error.h"
+#include "render/output_file.h"
 
 namespace wuerfel {
 
@@ -35,8 +37,10 @@ FrameFolder::~FrameFolder() {
   if (made_ && count_ == 0) std::filesystem::remove(folder_, ignored);
 }
 
-void FrameFolder::add(const Image& image, std::span<const PngText> texts) {
-  write_png((folder_ / frame_name(count_)).string(), image, texts);
+void FrameFolder::add(std::span<const std::uint8_t> png) {
+  OutputFile file((folder_ / frame_name(count_)).string());
+  file.write(png);
+  file.commit();
   ++count_;
 }
 

@@ -1,12 +1,9 @@
 /// A folder of numbered frames: frame_000000.png and so on.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
-#include <string>
-
-#include "render/image.h"
-#include "render/png.h"
 
 namespace wuerfel {
 
@@ -20,8 +17,8 @@ class FrameFolder {
   FrameFolder(const FrameFolder&) = delete;
   FrameFolder& operator=(const FrameFolder&) = delete;
 
-  /// Writes the next frame, whole or not at all. Throws OutputError.
-  void add(const Image& image, std::span<const PngText> texts);
+  /// Writes the next frame, the bytes of a PNG file, whole or not at all. Throws OutputError.
+  void add(std::span<const std::uint8_t> png);
   /// Removes frames of an earlier, longer run, which would pass for the end of this one.
   void finish();
 

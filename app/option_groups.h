@@ -54,5 +54,13 @@ void add_choice(CLI::App& app, const std::string& name, const std::string& meani
 void add_scene(CLI::App& app, SceneChoice& scene);
 void add_motion_options(CLI::App& app, MotionSettings& motion);
 void add_picture_options(CLI::App& app, PictureOptions& picture);
+/// --encoder.
+void add_encoder_option(CLI::App& app, PngEncoder& encoder);
+/// --fps and --speed.
+void add_rate_options(CLI::App& app, FrameRate& rate);
+/// --strip.
+void add_strip_option(CLI::App& app, std::optional<StripGrid>& strip);
+/// --max-difference and --max-share.
+void add_compare_limits(CLI::App& app, CompareLimits& limits);
 
 }  // namespace wuerfel

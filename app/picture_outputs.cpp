@@ -39,11 +39,17 @@ PictureOutputs::PictureOutputs(const std::vector<std::string>& names,
   throw UsageError(error.what());
 }
 
-void PictureOutputs::add(const Image& image, std::span<const PngText> texts) {
-  for (const auto& folder : folders_)
-    folder->add(image, texts);
+PipelineOutputs PictureOutputs::pipeline_outputs() {
+  PipelineOutputs outputs;
+  if (!folders_.empty()) {
+    outputs.take_png = [this](std::span<const std::uint8_t> file) {
+      for (const auto& folder : folders_)
+        folder->add(file);
+    };
+  }
   for (const auto& film : films_)
-    film->add(image);
+    outputs.films.push_back(film.get());
+  return outputs;
 }
 
 void PictureOutputs::finish() {

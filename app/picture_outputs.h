@@ -2,14 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/frame_folder.h"
 #include "render/animation.h"
-#include "render/image.h"
-#include "render/png.h"
+#include "render/frame_pipeline.h"
 
 namespace wuerfel {
 
@@ -21,8 +19,8 @@ class PictureOutputs {
 
   [[nodiscard]] bool empty() const { return folders_.empty() && films_.empty(); }
 
-  /// Adds the next frame to all of them; films do not carry texts. Throws OutputError.
-  void add(const Image& image, std::span<const PngText> texts);
+  /// All of them as a pipeline wants them; valid as long as this object.
+  PipelineOutputs pipeline_outputs();
   /// Completes all of them. Films appear only now. Throws OutputError.
   void finish();
 

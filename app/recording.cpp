@@ -1,79 +1,165 @@
 #include "app/recording.h"
 
-#include <algorithm>
-#include <cassert>
+#include <cstddef>
 #include <utility>
 
 namespace wuerfel {
 
-// Rods, points, contacts and sides follow from the poses; forces do not.
-bool Recording::equal(const Scenery& a, const Scenery& b) {
-  const auto same_force = [](const SnapshotForce& f, const SnapshotForce& g) {
-    return f.point == g.point && f.force == g.force && f.kind == g.kind;
-  };
-  const auto same_tension = [](const SnapshotRod& r, const SnapshotRod& s) {
-    return r.tension == s.tension;
-  };
-  return a.poses == b.poses && std::ranges::equal(a.forces, b.forces, same_force)
-         && std::ranges::equal(a.rods, b.rods, same_tension);
-}
+namespace {
 
-void Recording::add(const Snapshot& snapshot) {
-  Scenery scenery;
-  scenery.poses.reserve(snapshot.boxes.size());
+using Scenery = Revisions::Scenery;
+
+void put(const Vec2& v, Scenery& numbers) { numbers.insert(numbers.end(), {v.x(), v.y()}); }
+
+Scenery encode(const Snapshot& snapshot) {
+  Scenery numbers;
   for (const SnapshotBox& box : snapshot.boxes) {
-    scenery.poses.push_back({box.center, box.angle, box.velocity, box.spin});
+    put(box.center, numbers);
+    put(box.velocity, numbers);
+    numbers.insert(numbers.end(), {box.angle, box.spin});
   }
-  scenery.forces = snapshot.forces;
-  scenery.rods = snapshot.rods;
-  scenery.points = snapshot.points;
-  scenery.contacts = snapshot.contacts;
-  scenery.sides = snapshot.sides;
-  if (sceneries_.empty() || !equal(sceneries_.back(), scenery))
-    sceneries_.push_back(std::move(scenery));
-
-  frames_.push_back({snapshot.time, snapshot.energy, sceneries_.size() - 1});
-  if (frames_.size() == 1) cast_ = snapshot;
+  const auto put_count = [&numbers](const auto& list) {
+    numbers.push_back(static_cast<double>(list.size()));
+  };
+  put_count(snapshot.forces);
+  for (const SnapshotForce& force : snapshot.forces) {
+    put(force.point, numbers);
+    put(force.force, numbers);
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(force.kind), static_cast<double>(force.body)});
+  }
+  put_count(snapshot.rods);
+  for (const SnapshotRod& rod : snapshot.rods) {
+    put(rod.a, numbers);
+    put(rod.b, numbers);
+    numbers.push_back(rod.tension);
+  }
+  put_count(snapshot.points);
+  for (const SnapshotPoint& point : snapshot.points) {
+    put(point.position, numbers);
+    numbers.push_back(point.mass);
+  }
+  put_count(snapshot.contacts);
+  for (const SnapshotContact& contact : snapshot.contacts) {
+    for (const Vec2* v : {&contact.p_i, &contact.p_j, &contact.p_k, &contact.normal})
+      put(*v, numbers);
+  }
+  put_count(snapshot.sides);
+  for (const SnapshotSide& side : snapshot.sides) {
+    for (const Vec2* v : {&side.p_i, &side.p_j, &side.p_k})
+      put(*v, numbers);
+    numbers.push_back(side.area);
+  }
+  return numbers;
 }
 
-Snapshot Recording::frame(std::size_t k) const {
-  assert(k < frames_.size());
-  const Frame& frame = frames_[k];
-  const Scenery& scenery = sceneries_[frame.scenery];
-  Snapshot snapshot = cast_;
-  snapshot.time = frame.time;
-  snapshot.energy = frame.energy;
-  snapshot.revision = frame.scenery;
-  for (std::size_t b = 0; b < snapshot.boxes.size(); ++b) {
-    SnapshotBox& box = snapshot.boxes[b];
-    const Pose& pose = scenery.poses[b];
-    box.center = pose.center;
-    box.angle = pose.angle;
-    box.velocity = pose.velocity;
-    box.spin = pose.spin;
+// The numbers one by one, in the order in which `encode` wrote them.
+class Cursor {
+ public:
+  explicit Cursor(const Scenery& numbers) : at_(numbers.data()) {}
+  double number() { return *at_++; }
+  Vec2 vector() {
+    const double x = number();
+    return {x, number()};
   }
-  snapshot.forces = scenery.forces;
-  snapshot.rods = scenery.rods;
-  snapshot.points = scenery.points;
-  snapshot.contacts = scenery.contacts;
-  snapshot.sides = scenery.sides;
-  return snapshot;
+  std::size_t count() { return static_cast<std::size_t>(number()); }
+
+ private:
+  const double* at_;
+};
+
+void decode(const Scenery& numbers, Snapshot& snapshot) {
+  Cursor cursor(numbers);
+  for (SnapshotBox& box : snapshot.boxes) {
+    box.center = cursor.vector();
+    box.velocity = cursor.vector();
+    box.angle = cursor.number();
+    box.spin = cursor.number();
+  }
+  snapshot.forces.resize(cursor.count());
+  for (SnapshotForce& force : snapshot.forces) {
+    force.point = cursor.vector();
+    force.force = cursor.vector();
+    force.kind = static_cast<ForceKind>(cursor.number());
+    force.body = static_cast<int>(cursor.number());
+  }
+  snapshot.rods.resize(cursor.count());
+  for (SnapshotRod& rod : snapshot.rods) {
+    rod.a = cursor.vector();
+    rod.b = cursor.vector();
+    rod.tension = cursor.number();
+  }
+  snapshot.points.resize(cursor.count());
+  for (SnapshotPoint& point : snapshot.points) {
+    point.position = cursor.vector();
+    point.mass = cursor.number();
+  }
+  snapshot.contacts.resize(cursor.count());
+  for (SnapshotContact& contact : snapshot.contacts) {
+    for (Vec2* v : {&contact.p_i, &contact.p_j, &contact.p_k, &contact.normal})
+      *v = cursor.vector();
+  }
+  snapshot.sides.resize(cursor.count());
+  for (SnapshotSide& side : snapshot.sides) {
+    for (Vec2* v : {&side.p_i, &side.p_j, &side.p_k})
+      *v = cursor.vector();
+    side.area = cursor.number();
+  }
 }
 
-std::vector<SnapshotTrail> Recording::trails(std::size_t k) const {
-  std::vector<SnapshotTrail> trails;
-  for (std::size_t b = 0; b < cast_.boxes.size(); ++b) {
-    const SnapshotBox& box = cast_.boxes[b];
-    if (box.fixed) continue;
-    SnapshotTrail& trail = trails.emplace_back();
-    trail.color_index = box.color_index;
-    trail.color = box.color;
-    for (std::size_t s = 0; s <= frames_[k].scenery; ++s) {
-      const Vec2& center = sceneries_[s].poses[b].center;
-      if (trail.path.empty() || trail.path.back() != center) trail.path.push_back(center);
-    }
+// What stands before the numbers of a frame.
+struct FrameHead {
+  double time = 0.0;
+  double energy = 0.0;
+  std::uint64_t revision = 0;
+  std::uint64_t numbers = 0;  // that follow; none where they are those of the frame before
+};
+
+}  // namespace
+
+bool Revisions::stamp(Snapshot& snapshot) {
+  Scenery scenery = encode(snapshot);
+  const bool is_new = revision_ == 0 || scenery != scenery_;
+  if (is_new) {
+    scenery_ = std::move(scenery);
+    ++revision_;
   }
-  return trails;
+  snapshot.revision = revision_;
+  return is_new;
+}
+
+void Recording::add(Snapshot snapshot) {
+  const bool is_new = revisions_.stamp(snapshot);
+  const Scenery& scenery = revisions_.scenery();
+  const FrameHead head{snapshot.time, snapshot.energy, snapshot.revision,
+                       is_new ? scenery.size() : 0};
+  log_.append({reinterpret_cast<const std::uint8_t*>(&head), sizeof head});
+  if (is_new) {
+    log_.append(
+        {reinterpret_cast<const std::uint8_t*>(scenery.data()), scenery.size() * sizeof(double)});
+  }
+  if (size_ == 0) first_ = std::move(snapshot);
+  ++size_;
+}
+
+bool Recording::Replay::next(Snapshot& snapshot) {
+  if (done_ == recording_.size_) return false;
+  if (done_ == 0) snapshot = recording_.first_;
+  FrameHead head;
+  recording_.log_.read(at_, {reinterpret_cast<std::uint8_t*>(&head), sizeof head});
+  at_ += sizeof head;
+  snapshot.time = head.time;
+  snapshot.energy = head.energy;
+  snapshot.revision = head.revision;
+  if (head.numbers > 0) {
+    Scenery numbers(head.numbers);
+    const std::size_t bytes = numbers.size() * sizeof(double);
+    recording_.log_.read(at_, {reinterpret_cast<std::uint8_t*>(numbers.data()), bytes});
+    at_ += bytes;
+    decode(numbers, snapshot);
+  }
+  ++done_;
+  return true;
 }
 
 }  // namespace wuerfel

@@ -1,58 +1,59 @@
-/// A run to be drawn later: view and force scale are one for the whole film, so the film must be
-/// known first.
+/// A run to be drawn later: view and force scale are one for all pictures, so the whole motion must
+/// be known first.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "app/byte_log.h"
 #include "core/snapshot.h"
 
 namespace wuerfel {
 
-/// Snapshots kept compactly: what never changes (names, sizes, colours, fixed boxes, planes) once,
-/// the rest once per frame, and where nothing moved not again.
-class Recording {
+/// Numbers snapshots so that equal revisions are equal pictures but for the time shown.
+class Revisions {
  public:
-  void add(const Snapshot& snapshot);
+  /// The numbers behind what a picture of `snapshot` shows, without time and energy.
+  using Scenery = std::vector<double>;
 
-  [[nodiscard]] std::size_t size() const { return frames_.size(); }
-  [[nodiscard]] double time(std::size_t k) const { return frames_[k].time; }
-  [[nodiscard]] bool empty() const { return frames_.empty(); }
-
-  /// The snapshot of frame `k`. Its revision is that of the frame before where nothing but time has
-  /// changed.
-  [[nodiscard]] Snapshot frame(std::size_t k) const;
-
-  /// Where the cubes' centres have been in the frames 0 .. k.
-  [[nodiscard]] std::vector<SnapshotTrail> trails(std::size_t k) const;
+  /// Gives the next snapshot its revision: that of the one before where nothing but time and energy
+  /// has changed. True where it is new.
+  bool stamp(Snapshot& snapshot);
+  /// Of the last snapshot.
+  [[nodiscard]] const Scenery& scenery() const { return scenery_; }
 
  private:
-  struct Pose {
-    Vec2 center;
-    double angle;
-    Vec2 velocity;
-    double spin;
-    bool operator==(const Pose&) const = default;
-  };
-  /// What changes while cubes move.
-  struct Scenery {
-    std::vector<Pose> poses;
-    std::vector<SnapshotForce> forces;
-    std::vector<SnapshotRod> rods;
-    std::vector<SnapshotPoint> points;
-    std::vector<SnapshotContact> contacts;
-    std::vector<SnapshotSide> sides;
-  };
-  struct Frame {
-    double time;
-    double energy;
-    std::size_t scenery;
+  Scenery scenery_;
+  std::uint64_t revision_ = 0;
+};
+
+/// Snapshots kept compactly: what never changes (names, sizes, colours, fixed boxes, planes) once,
+/// the rest once per frame, and where nothing moved not again. Memory is bounded (see ByteLog).
+class Recording {
+ public:
+  void add(Snapshot snapshot);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+  /// Goes through the snapshots from the first to the last.
+  class Replay {
+   public:
+    explicit Replay(const Recording& recording) : recording_(recording) {}
+    /// False behind the last. `snapshot` has to be the one of the call before.
+    bool next(Snapshot& snapshot);
+
+   private:
+    const Recording& recording_;
+    std::size_t done_ = 0;
+    std::uint64_t at_ = 0;  // bytes
   };
 
-  static bool equal(const Scenery& a, const Scenery& b);
-
-  Snapshot cast_;  // the first snapshot: everything that stays
-  std::vector<Scenery> sceneries_;
-  std::vector<Frame> frames_;
+ private:
+  Snapshot first_;
+  Revisions revisions_;
+  ByteLog log_;  // of each frame: time, energy, revision, how many numbers follow, the numbers
+  std::size_t size_ = 0;
 };
 
 }  // namespace wuerfel

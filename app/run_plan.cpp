@@ -1,8 +1,12 @@
 #include "app/run_plan.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/core.h>
 
-#include "app/picture.h"
+#include "app/picture_options.h"
+#include "render/nearest_name.h"
 
 namespace wuerfel {
 
@@ -28,12 +32,24 @@ std::vector<double> frames_until(double end, const RunOptions& options) {
   return frame_times(end, options.rate);
 }
 
+// A camera has to find the body that it follows.
+void require_body(const Camera& camera, const Scene& scene) {
+  if (camera.kind != Camera::Kind::follow) return;
+  std::vector<std::string_view> names;
+  for (const SceneCube& cube : scene.cubes)
+    names.push_back(cube.name);
+  if (std::ranges::find(names, camera.body) != names.end()) return;
+  throw UsageError(fmt::format("--view: there is no cube '{}'{}", camera.body,
+                               nearest_name_hint(camera.body, names)));
+}
+
 }  // namespace
 
 RunPlan make_plan(const RunOptions& options, const Scene& scene) {
   RunPlan plan;
   plan.end = options.until.value_or(scene.duration);
   require_samples_until(plan.end, options.samples);
+  require_body(options.picture.camera, scene);
   plan.instants = timetable(plan.end, frames_until(plan.end, options), options.samples);
   if (!options.outputs.empty()) plan.request = snapshot_request(options.picture.layers);
   if (!options.forces.empty()) plan.request.forces = true;

@@ -22,7 +22,7 @@ class Usage(ProgramTest):
         for arguments in ((), ("jump",), ("run",), ("check",), ("figure", scene), ("--json",),
                           ("run", scene, "--nonsense"), ("run", scene, "--fsp", "30"), ("run", scene, "extra"),
                           ("run", scene, "--resume"), ("check", scene, "--fps", "30"), ("check", scene, "--margin"),
-                          ("figure", scene, "-o", "a.png", "--strip", "4x2"), ("scenes", "nosuch"),
+                          ("figure", scene, "-o", "a.png", "--fps", "4"), ("scenes", "nosuch"),
                           ("schema", "extra")):
             with self.subTest(arguments):
                 self.refuse(*arguments)
