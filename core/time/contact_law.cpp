@@ -201,7 +201,9 @@ IslandSolution ContactLaw::settle_contacts(const Island& island,
       keep_book(solution, book);
     }
   }
-  const double largest = std::ranges::max(solution.forces);
+  double largest = std::ranges::max(solution.forces);
+  for (const int cube : island.cubes)
+    largest = std::max(largest, system_->body(cube).mass * scales_.gravity);
   bool undecided = false;
   for (std::size_t k = 0; k < use_.size(); ++k) {
     undecided = undecided

@@ -388,6 +388,7 @@ std::optional<double> EventMotion::first_release(double until) {
   double high = 0.0;
   double at_low = force_at(0.0);
   double at_high = at_low;
+  if (at_low <= 0.0) return 0.0;
   for (int k = 1; k <= force_samples; ++k) {
     high = until * k / force_samples;
     at_high = force_at(high);
@@ -395,7 +396,11 @@ std::optional<double> EventMotion::first_release(double until) {
     low = high;
     at_low = at_high;
   }
-  if (at_high >= 0.0) return {};
+  if (at_high >= 0.0) {
+    // The polynomial may miss by rounding what the state at the end shows.
+    if (until == 1.0 && hold_at(next_, holds_) < 0.0) return 1.0;
+    return {};
+  }
   // False position with the bracket halved where that is slow.
   for (int k = 0; high - low > found_share && k < most_bisections; ++k) {
     double at = low + (high - low) * (k % 3 == 2 ? 0.5 : at_low / (at_low - at_high));
