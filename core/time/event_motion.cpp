@@ -430,8 +430,9 @@ bool EventMotion::opens_at(double share, Bookkeeping& book) {
   unpack(dense_, share, state);
   closed_.project_positions(state);
   closed_.project_velocities(state);
-  finder_.find(*system_, state, contacts_);
+  finder_.find(*system_, state, contacts_, touching_share);
   std::erase_if(contacts_, [&](const Contact& c) {
+    if (contact_motion(*system_, state, c) != ContactMotion::resting) return true;
     return std::ranges::none_of(closed_.contacts(), [&](const Contact& d) {
       return std::minmax(c.on, c.from) == std::minmax(d.on, d.from);
     });
