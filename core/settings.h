@@ -8,7 +8,10 @@
 namespace wuerfel {
 
 enum class Integrator {
+  automatic,   ///< event, and rattle where events crowd, for each group of cubes by itself
   event,       ///< from event to event, with error control
+  rattle,      ///< second-order time stepping without overlap
+  moreau,      ///< Moreau-Jean time stepping, first order
   euler,       ///< Algorithm 1 exactly as printed: p takes the old v
   symplectic,  ///< semi-implicit Euler: p takes the new v
 };
@@ -29,7 +32,7 @@ struct Skips {
 };
 
 struct MotionSettings {
-  Integrator integrator = Integrator::symplectic;
+  Integrator integrator = Integrator::automatic;
   Formulation formulation = Formulation::rigid;
   QpMethod solver = QpMethod::automatic;
   double tolerance = 1e-8;    ///< of states; also the error budget of the audit

@@ -254,6 +254,21 @@ Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
                         incident_corners(a, best.side, b, std::numeric_limits<double>::max()));
 }
 
+void add_near_contacts(
+    std::span<const Box> boxes, int i, int j, double flush, std::vector<Contact>& contacts) {
+  const Contact nearest = nearest_corner(boxes, i, j);
+  const Box& a = boxes[static_cast<std::size_t>(nearest.from)];
+  const Box& b = boxes[static_cast<std::size_t>(nearest.on)];
+  const int facing = facing_side(b, nearest.normal);
+  if (std::abs(det(nearest.normal, b.normal(facing))) <= flush) {
+    const Candidate side{nearest.from, nearest.on, nearest.side, nearest.gap};
+    if (add_face(side, a, b, touching_tolerance * std::min(a.smaller_side(), b.smaller_side()),
+                 contacts))
+      return;
+  }
+  contacts.push_back(nearest);
+}
+
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact) {
   const Box& b = boxes[static_cast<std::size_t>(contact.on)];
   const Body& from = system.body(contact.from);
@@ -286,8 +301,8 @@ void ContactFinder::find(const System& system,
     if (!system.is_cube(pair.first)) continue;
     const double scale =
         std::min(smaller_side(system, pair.first), smaller_side(system, pair.second));
-    note(add_pair(system, state, boxes_, pair, tolerance * scale, contacts), scale,
-         pair.first, pair.second);
+    note(add_pair(system, state, boxes_, pair, tolerance * scale, contacts), scale, pair.first,
+         pair.second);
   }
   for (int p = boxes; p < system.count(); ++p) {
     const Body& plane = system.body(p);

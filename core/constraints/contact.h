@@ -62,6 +62,12 @@ double contact_scale(const System& system, const Contact& contact);
 /// touching or not.
 Contact nearest_corner(std::span<const Box> boxes, int i, int j);
 
+/// Corners and sides by which two boxes would meet that do not touch yet: the nearest corner, or
+/// both ends of the overlap where the facing sides are within `flush` (sine of the angle between
+/// them).
+void add_near_contacts(
+    std::span<const Box> boxes, int i, int j, double flush, std::vector<Contact>& contacts);
+
 /// The same corner and side at other poses.
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact);
 

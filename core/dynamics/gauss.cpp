@@ -104,10 +104,11 @@ IslandSolution IslandDynamics::tangential_velocities(const State& state, const I
 
 IslandSolution IslandDynamics::correction(const State& state,
                                           const Island& island,
-                                          std::span<const SideUse> use) {
+                                          std::span<const SideUse> use,
+                                          std::span<const Twist> targets) {
   use_.assign(use.begin(), use.end());
-  builder_.position(state, island, use_);
-  return solve(state, island, corrections_);
+  builder_.position(state, island, use_, targets);
+  return solve(state, island, targets.empty() ? corrections_ : placements_);
 }
 
 double largest_acceleration(const System& system,

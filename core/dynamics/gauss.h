@@ -39,8 +39,12 @@ class IslandDynamics {
   /// Velocities nearest to those of `state` with the gap rates of all contacts zero.
   IslandSolution tangential_velocities(const State& state, const Island& island);
   /// Displacements (m, rad), to first order, that make gaps zero where `use` says equality and not
-  /// negative where it says inequality.
-  IslandSolution correction(const State& state, const Island& island, std::span<const SideUse> use);
+  /// negative where it says inequality; nearest to `targets` (one per cube of the island), or to
+  /// zero.
+  IslandSolution correction(const State& state,
+                            const Island& island,
+                            std::span<const SideUse> use,
+                            std::span<const Twist> targets = {});
 
  private:
   /// The last program of an island: its answer, and the solver with what that remembers.
@@ -61,6 +65,7 @@ class IslandDynamics {
   Memories impacts_;
   Memories tangential_;
   Memories corrections_;
+  Memories placements_;
 };
 
 /// max over cubes of (|a| + side |alpha|), m/s^2: how far from rest accelerations are.

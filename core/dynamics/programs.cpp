@@ -16,7 +16,10 @@ std::array<Vec2, points_per_cube> arms_of(const CubePoints& points) {
 
 }  // namespace
 
-void ProgramBuilder::begin(const State& state, const Island& island, Order order) {
+void ProgramBuilder::begin(const State& state,
+                           const Island& island,
+                           Order order,
+                           std::span<const Twist> targets) {
   const bool points = formulation_ == Formulation::points;
   program_.clear(points ? 2 : 3);
   local_.resize(static_cast<std::size_t>(system_->cubes), -1);
@@ -25,9 +28,10 @@ void ProgramBuilder::begin(const State& state, const Island& island, Order order
     local_[static_cast<std::size_t>(cube)] = next++;
     const Body& body = system_->body(cube);
     const BodyState& s = state[static_cast<std::size_t>(cube)];
+    const Twist goal = targets.empty() ? Twist{} : targets[static_cast<std::size_t>(next - 1)];
     if (!points) {
       const std::array<double, 3> mass = {body.mass, body.mass, body.inertia};
-      std::array<double, 3> target{};
+      std::array<double, 3> target = {goal.linear.x(), goal.linear.y(), goal.angular};
       if (order == Order::velocity) target = {s.velocity.x(), s.velocity.y(), s.spin};
       if (order == Order::acceleration) target = {system_->gravity.x(), system_->gravity.y(), 0.0};
       program_.add_block(mass, target);
@@ -36,7 +40,7 @@ void ProgramBuilder::begin(const State& state, const Island& island, Order order
     const CubePoints p = points_of(s, body.size);
     const auto masses = mass_distribution(body.size, body.mass);
     for (std::size_t k = 0; k < masses.size(); ++k) {
-      Vec2 target = Vec2::Zero();
+      Vec2 target = goal.linear + goal.angular * perp(p.p[k] - s.position);
       if (order == Order::velocity) target = p.v[k];
       if (order == Order::acceleration) target = system_->gravity;
       program_.add_block(std::array{masses[k].mass, masses[k].mass},
@@ -152,8 +156,9 @@ void ProgramBuilder::velocity(const State& state,
 
 void ProgramBuilder::position(const State& state,
                               const Island& island,
-                              std::span<const SideUse> use) {
-  begin(state, island, Order::position);
+                              std::span<const SideUse> use,
+                              std::span<const Twist> targets) {
+  begin(state, island, Order::position, targets);
   add_sides(state, island, use, Order::position);
 }
 

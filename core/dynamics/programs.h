@@ -42,8 +42,12 @@ class ProgramBuilder {
   void acceleration(const State& state, const Island& island, std::span<const SideUse> use);
   /// Moreau's impact law.
   void velocity(const State& state, const Island& island, std::span<const SideUse> use);
-  /// Längenkorrektur: displacements from `state`.
-  void position(const State& state, const Island& island, std::span<const SideUse> use);
+  /// Längenkorrektur: displacements from `state`, nearest to `targets` (one per cube of the island,
+  /// m and rad; none: nearest to zero).
+  void position(const State& state,
+                const Island& island,
+                std::span<const SideUse> use,
+                std::span<const Twist> targets = {});
 
   [[nodiscard]] const QuadraticProgram& program() const { return program_; }
   /// Number of the row of the first contact: that many rods come before it.
@@ -55,7 +59,10 @@ class ProgramBuilder {
 
  private:
   enum class Order { position, velocity, acceleration };
-  void begin(const State& state, const Island& island, Order order);
+  void begin(const State& state,
+             const Island& island,
+             Order order,
+             std::span<const Twist> targets = {});
   void add_rods(const State& state, int cube, int first_block, Order order);
   void add_sides(const State& state,
                  const Island& island,

@@ -63,7 +63,9 @@ void unpack(const std::vector<double>& y, State& state) {
   }
 }
 
-void unpack(const DenseStep& motion, double share, State& state) {
+}  // namespace
+
+void look_at(const DenseStep& motion, double share, State& state) {
   std::size_t at = 0;
   for (BodyState& s : state) {
     s.position = {motion.component(share, at), motion.component(share, at + 1)};
@@ -73,6 +75,12 @@ void unpack(const DenseStep& motion, double share, State& state) {
     at += components;
   }
 }
+
+void look_at(const MotionPiece& piece, double share, State& state) {
+  look_at(piece.motion, share, state);
+}
+
+namespace {
 
 /// x^(-1/8), from square roots.
 double eighth_root_inverse(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
@@ -96,7 +104,6 @@ void EventMotion::start(
   step_ = 0.0;
   events_ = 0;
   instant_events_ = 0;
-  pieces_.clear();
   closure_.closed.clear();
   closure_.resting = std::move(resting);
   begin_phase(touching, book);
@@ -209,22 +216,22 @@ void EventMotion::arm(std::vector<Hold>& holds) const {
   }
 }
 
-void EventMotion::advance(double limit, Bookkeeping& book) {
+void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
   if (at_rest()) {
-    pieces_.push_back({clock_, std::numeric_limits<double>::infinity(), state_, {}, {}});
+    pieces.push_back({MotionPiece::Kind::rest, clock_, 0.0, state_, {}, {}});
     clock_ = std::numeric_limits<double>::infinity();
     return;
   }
   ++book.cost.steps;
   if (closed_.contacts().empty()) {
-    fall(limit, book);
+    fall(limit, pieces, book);
   } else {
-    integrate(limit, book);
+    integrate(limit, pieces, book);
   }
 }
 
 /// Free fall is a parabola, of any length.
-void EventMotion::fall(double limit, Bookkeeping& book) {
+void EventMotion::fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
   const double h = std::min(fall_, limit - clock_);
   fall_ *= fall_growth;
   dense_.coefficients.assign(y_.size() * DenseStep::terms, 0.0);
@@ -242,11 +249,12 @@ void EventMotion::fall(double limit, Bookkeeping& book) {
   const auto crossing = search_.first({&dense_, h, &range_});
   const double share = crossing ? crossing->share : 1.0;
   next_ = state_;
-  unpack(dense_, share, next_);
-  finish(h, share * h, crossing.has_value(), book);
+  look_at(dense_, share, next_);
+  pieces.push_back({MotionPiece::Kind::smooth, clock_, h, state_, dense_, {}});
+  finish(crossing || h < limit - clock_ ? share * h : limit - clock_, crossing.has_value(), book);
 }
 
-void EventMotion::integrate(double limit, Bookkeeping& book) {
+void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
   const double h = controlled_step(std::min(step_, limit - clock_), book);
   complete_step(h);
   if (instant_events_ > most_instant_events) {
@@ -254,7 +262,8 @@ void EventMotion::integrate(double limit, Bookkeeping& book) {
     ++book.audit.unresolved;
     const double forced = std::min(h, forced_time * scales_.time);
     restep(forced);
-    finish(forced, forced, false, book);
+    add_piece(pieces);
+    finish(forced, false, book);
     return;
   }
   const std::optional<Crossing> crossing = search_.first({&dense_, h, &range_});
@@ -264,11 +273,13 @@ void EventMotion::integrate(double limit, Bookkeeping& book) {
     release = closed_.redundant() ? first_opening(until, book) : first_release(until);
   }
   if (!crossing && !release) {
-    finish(h, h, false, book);
+    add_piece(pieces);
+    finish(h, false, book);
     return;
   }
   const double length = release ? reach_release(*release * h) : reach_crossing(*crossing, h);
-  finish(length, length, true, book);
+  add_piece(pieces);
+  finish(length, true, book);
 }
 
 /// Takes the step, shortened until its error is small enough; returns its length.
@@ -381,7 +392,7 @@ double EventMotion::hold_at(const State& state, const std::vector<Hold>& holds) 
 std::optional<double> EventMotion::first_release(double until) {
   State state = state_;
   const auto force_at = [&](double share) {
-    unpack(dense_, share, state);
+    look_at(dense_, share, state);
     return hold_at(state, holds_);
   };
   double low = 0.0;
@@ -427,7 +438,7 @@ std::optional<double> EventMotion::first_opening(double until, Bookkeeping& book
 
 bool EventMotion::opens_at(double share, Bookkeeping& book) {
   State state = state_;
-  unpack(dense_, share, state);
+  look_at(dense_, share, state);
   closed_.project_positions(state);
   closed_.project_velocities(state);
   finder_.find(*system_, state, contacts_, touching_share);
@@ -448,9 +459,13 @@ bool EventMotion::opens_at(double share, Bookkeeping& book) {
   return false;
 }
 
-/// Takes over the state that was reached; `span` is the length of the step's polynomial.
-void EventMotion::finish(double span, double elapsed, bool event, Bookkeeping& book) {
-  pieces_.push_back({clock_, span, state_, dense_, closed_.contacts()});
+void EventMotion::add_piece(std::deque<MotionPiece>& pieces) const {
+  pieces.push_back(
+      {MotionPiece::Kind::smooth, clock_, length_, state_, dense_, closed_.contacts()});
+}
+
+/// Takes over the state that was reached.
+void EventMotion::finish(double elapsed, bool event, Bookkeeping& book) {
   clock_ += elapsed;
   state_ = next_;
   if (event) {
@@ -470,25 +485,16 @@ void EventMotion::finish(double span, double elapsed, bool event, Bookkeeping& b
   }
 }
 
-State EventMotion::at(double t) {
-  auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), t,
-                                [](double time, const MotionPiece& p) { return time < p.begin; });
-  if (piece == pieces_.begin()) return state_;
-  --piece;
-  State state = piece->start;
-  if (t == piece->begin || piece->motion.coefficients.empty()) return state;
-  unpack(piece->motion, (t - piece->begin) / piece->length, state);
-  if (!piece->closed.empty()) {
-    looker_.close(piece->closed, {});
+State EventMotion::look(const MotionPiece& piece, double t) {
+  State state = piece.start;
+  if (t <= piece.begin) return state;
+  look_at(piece, (t - piece.begin) / piece.length, state);
+  if (!piece.closed.empty()) {
+    looker_.close(piece.closed, {});
     looker_.project_positions(state);
     looker_.project_velocities(state);
   }
   return state;
-}
-
-void EventMotion::forget_before(double t) {
-  while (pieces_.size() > 1 && pieces_[1].begin <= t)
-    pieces_.pop_front();
 }
 
 }  // namespace wuerfel

@@ -11,14 +11,19 @@
 
 namespace wuerfel {
 
-/// One smooth step, to be looked at anywhere within.
+/// A stretch of a motion, to be looked at anywhere until the next one begins.
 struct MotionPiece {
+  enum class Kind { smooth, stepped, rest };
+  Kind kind = Kind::smooth;
   double begin = 0.0;   ///< s
-  double length = 0.0;  ///< s; infinite where nothing moves
+  double length = 0.0;  ///< s, of the polynomial; an event may have cut it short
   State start;
-  DenseStep motion;             ///< no coefficients where nothing moves
-  std::vector<Contact> closed;  ///< contacts that stay closed
+  DenseStep motion;             ///< of a smooth piece
+  std::vector<Contact> closed;  ///< contacts that stay closed in a smooth piece
 };
+
+/// State of a smooth piece at a share of its length, not yet projected.
+void look_at(const MotionPiece& piece, double share, State& state);
 
 class EventMotion final : private VectorField {
  public:
@@ -31,19 +36,18 @@ class EventMotion final : private VectorField {
 
   /// Time up to which the motion is known; infinite where all is at rest.
   [[nodiscard]] double clock() const { return clock_; }
-  /// One step: at most to `limit`, or to the first event, which happens then.
-  void advance(double limit, Bookkeeping& book);
+  /// One step: at most to `limit`, or to the first event, which happens then. Its piece is added.
+  void advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   /// Events since the start.
   [[nodiscard]] long events() const { return events_; }
 
-  /// State at a time between the first piece that is kept and the clock; just after events.
-  [[nodiscard]] State at(double t);
+  /// State at the clock.
+  [[nodiscard]] const State& state() const { return state_; }
+  /// State of a smooth piece at time t, on its constraints.
+  [[nodiscard]] State look(const MotionPiece& piece, double t);
   /// Certified rest, per cube, at the clock.
   [[nodiscard]] const std::vector<char>& resting() const { return closure_.resting; }
   [[nodiscard]] bool at_rest() const;
-  /// Pieces that end before t are not needed any more.
-  void forget_before(double t);
-  [[nodiscard]] const std::deque<MotionPiece>& pieces() const { return pieces_; }
 
  private:
   /// Rows of a flush pair, or one row (second = -1), with what is added to the force until it has
@@ -61,8 +65,8 @@ class EventMotion final : private VectorField {
   [[nodiscard]] double smallest(const std::vector<Hold>& holds) const;
   [[nodiscard]] double hold_at(const State& state, const std::vector<Hold>& holds);
   void arm(std::vector<Hold>& holds) const;
-  void fall(double limit, Bookkeeping& book);
-  void integrate(double limit, Bookkeeping& book);
+  void fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
+  void integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   double controlled_step(double h, Bookkeeping& book);
   void complete_step(double h);
   void restep(double length);
@@ -71,7 +75,8 @@ class EventMotion final : private VectorField {
   [[nodiscard]] std::optional<double> first_release(double until);
   [[nodiscard]] std::optional<double> first_opening(double until, Bookkeeping& book);
   bool opens_at(double share, Bookkeeping& book);
-  void finish(double span, double elapsed, bool event, Bookkeeping& book);
+  void add_piece(std::deque<MotionPiece>& pieces) const;
+  void finish(double elapsed, bool event, Bookkeeping& book);
 
   const System* system_;
   MotionSettings settings_;
@@ -100,7 +105,6 @@ class EventMotion final : private VectorField {
   DenseStep dense_;
   double length_ = 0.0;  ///< s, of that step
 
-  std::deque<MotionPiece> pieces_;
   State scratch_;
   std::vector<Twist> accelerations_;
   std::vector<Contact> contacts_;

@@ -1,28 +1,94 @@
 #include "core/time/island_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 
 namespace wuerfel {
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+// Units of L / V.
+constexpr double shortest_window = 0.05;
+constexpr double longest_window = 8.0;
+constexpr double first_window = 0.5;
+/// Prediction of sweeps: this much more than the path of free flight and half a L.
+constexpr double sweep_reserve = 1.2;
+/// Cubes within this share of their half diagonal belong together.
+constexpr double margin_share = 1e-3;
+
+/// The whole system without the cubes that are not named.
+System part_of(const System& whole, const std::vector<int>& cubes) {
+  System part;
+  part.title = whole.title;
+  part.gravity = whole.gravity;
+  part.cubes = static_cast<int>(cubes.size());
+  for (const int cube : cubes)
+    part.bodies.push_back(whole.body(cube));
+  part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
+  return part;
+}
+
+int root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    int& up = parent[static_cast<std::size_t>(i)];
+    up = parent[static_cast<std::size_t>(up)];
+    i = up;
+  }
+  return i;
+}
+
+void unite(std::vector<int>& parent, int i, int j) {
+  const int a = root(parent, i);
+  const int b = root(parent, j);
+  parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+}
+
+void add_cost(const Cost& more, Cost& cost) {
+  cost.steps += more.steps;
+  cost.qp_solves += more.qp_solves;
+  cost.hand_overs += more.hand_overs;
+  cost.skipped_free += more.skipped_free;
+  cost.skipped_rest += more.skipped_rest;
+  cost.skipped_certificate += more.skipped_certificate;
+}
+
+void add_audit(const Audit& more, Audit& audit) {
+  audit.max_penetration = std::max(audit.max_penetration, more.max_penetration);
+  audit.max_kkt_residual = std::max(audit.max_kkt_residual, more.max_kkt_residual);
+  audit.missed_solves += more.missed_solves;
+  audit.unresolved += more.unresolved;
+}
+
+}  // namespace
 
 IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, Moment start)
-    : system_(&system),
-      settings_(settings),
-      motion_(system, settings),
-      looker_(system, settings),
-      moment_(std::move(start)) {
-  motion_.start(moment_.state, 0.0, touching_tolerance, {}, computed_);
+    : system_(&system), settings_(settings), looker_(system, settings), moment_(std::move(start)) {
+  scales_ = scales_of(system, moment_.state);
+  length_ = first_window * scales_.time;
+  bounds_.resize(static_cast<std::size_t>(system.cubes));
+  group_of_.assign(moment_.state.size(), -1);
+  resting_.assign(moment_.state.size(), 0);
+  stepping_.resize(moment_.state.size());
+  // At the start bodies touch by the scene's tolerance; those that do belong together.
+  predict(moment_.state, 0.0);
+  std::vector<std::vector<int>> parts;
+  partition(parts);
+  regroup(moment_.state, parts);
+  commit();
   advance_to(0.0);
 }
 
 void IslandMotion::advance_to(double t) {
-  while (motion_.clock() <= t && !(t == 0.0))
-    motion_.advance(std::numeric_limits<double>::infinity(), computed_);
+  while (end_ <= t && t > 0.0)
+    next_window();
   moment_ = {};
   moment_.t = t;
-  moment_.state = motion_.at(t);
+  moment_.state = state_at(t);
   looker_.observe(moment_, computed_);
-  motion_.forget_before(t);
   shown_.cost = computed_.cost;
   const double loss = shown_.audit.impact_loss;
   shown_.audit = computed_.audit;
@@ -35,8 +101,212 @@ void IslandMotion::advance_to(double t) {
 }
 
 const Moment& IslandMotion::now_with_forces() {
-  looker_.accelerate(moment_, shown_);
+  looker_.accelerate(moment_, computed_);
   return moment_;
+}
+
+State IslandMotion::state_at(double t) {
+  State state(group_of_.size());
+  for (Group& group : groups_) {
+    const State part = group.track->at(t);
+    for (std::size_t k = 0; k < part.size(); ++k)
+      state[static_cast<std::size_t>(group.cubes[k])] = part[k];
+  }
+  return state;
+}
+
+/// Bounds of what the cubes may sweep within `length` s.
+void IslandMotion::predict(const State& state, double length) {
+  const Vec2 g = system_->gravity;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Body& body = system_->bodies[i];
+    const BodyState& s = state[i];
+    if (length == 0.0 || resting_[i] != 0) {
+      const Box box = make_box(s.position, s.angle, body.size);
+      const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
+                          + Vec2::Constant(margin_share * box.smaller_side());
+      bounds_[i] = {s.position - extent, s.position + extent};
+      continue;
+    }
+    const double radius = (0.5 + margin_share) * body.size.norm();
+    const Vec2 free = length * s.velocity + 0.5 * length * length * g;
+    // Where contacts act a cube may go anywhere within what its speed and gravity allow.
+    const double reach =
+        (sweep_reserve - 1.0) * (length * s.velocity.norm() + 0.5 * length * length * g.norm());
+    const Vec2 extent = Vec2::Constant(radius + reach);
+    bounds_[i] = {s.position.cwiseMin(s.position + free) - extent,
+                  s.position.cwiseMax(s.position + free) + extent};
+  }
+}
+
+/// Groups of cubes whose bounds overlap, in the order of their first cube.
+void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
+  std::vector<int> parent(bounds_.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
+    unite(parent, pair.first, pair.second);
+  parts.clear();
+  std::vector<int> number(bounds_.size(), -1);
+  for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) {
+    int& k = number[static_cast<std::size_t>(root(parent, i))];
+    if (k < 0) {
+      k = static_cast<int>(parts.size());
+      parts.emplace_back();
+    }
+    parts[static_cast<std::size_t>(k)].push_back(i);
+  }
+}
+
+void IslandMotion::next_window() {
+  const bool all_rest =
+      std::ranges::all_of(groups_, [](const Group& g) { return g.track->at_rest(); });
+  begin_ = end_;
+  if (all_rest) {
+    end_ = forever;
+    for (Group& group : groups_) {
+      if (group.track->clock() < forever) group.track->advance(forever);
+    }
+    commit();
+    return;
+  }
+  begin_window();
+  move_groups();
+  commit();
+}
+
+void IslandMotion::begin_window() {
+  const State state = state_at(begin_);
+  for (Group& group : groups_) {
+    group.track->forget_before(begin_);
+    for (std::size_t m = 0; m < group.cubes.size(); ++m) {
+      const auto cube = static_cast<std::size_t>(group.cubes[m]);
+      resting_[cube] = group.track->resting()[m];
+      stepping_[cube] = group.track->stepping();
+    }
+  }
+  // The longest window in which nobody meets anybody who is not met in the shortest one either.
+  const double shortest = shortest_window * scales_.time;
+  std::vector<std::vector<int>> least;
+  std::vector<std::vector<int>> parts;
+  predict(state, shortest);
+  partition(least);
+  double length = std::min(2.0 * length_, longest_window * scales_.time);
+  for (; length > shortest; length *= 0.5) {
+    predict(state, length);
+    partition(parts);
+    if (parts == least) break;
+  }
+  length_ = std::max(length, shortest);
+  regroup(state, least);
+}
+
+/// Groups that stay the same go on; others begin anew from `state`.
+void IslandMotion::regroup(const State& state, const std::vector<std::vector<int>>& parts) {
+  std::map<int, std::size_t> by_first;
+  for (std::size_t k = 0; k < groups_.size(); ++k)
+    by_first[groups_[k].cubes.front()] = k;
+  std::vector<Group> next(parts.size());
+  std::vector<std::size_t> changed;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto same = by_first.find(parts[k].front());
+    if (same != by_first.end() && groups_[same->second].cubes == parts[k]) {
+      next[k].cubes = parts[k];
+      std::swap(next[k].system, groups_[same->second].system);
+      std::swap(next[k].track, groups_[same->second].track);
+    } else {
+      changed.push_back(k);
+    }
+  }
+  for (const std::size_t k : changed)
+    make_group(state, parts[k], next[k]);
+  groups_ = std::move(next);
+  for (std::size_t k = 0; k < groups_.size(); ++k) {
+    for (std::size_t m = 0; m < groups_[k].cubes.size(); ++m) {
+      const auto cube = static_cast<std::size_t>(groups_[k].cubes[m]);
+      group_of_[cube] = static_cast<int>(k);
+    }
+  }
+}
+
+void IslandMotion::make_group(const State& state, const std::vector<int>& cubes, Group& group) {
+  group.cubes = cubes;
+  const bool whole = static_cast<int>(cubes.size()) == system_->cubes;
+  if (!whole) group.system = std::make_unique<System>(part_of(*system_, cubes));
+  group.track = std::make_unique<Track>(whole ? *system_ : *group.system, settings_);
+  State part;
+  std::vector<char> rests;
+  Track::Stepping stepping;
+  for (const int cube : cubes) {
+    const auto i = static_cast<std::size_t>(cube);
+    part.push_back(state[i]);
+    rests.push_back(resting_[i]);
+    stepping = later(stepping, stepping_[i]);
+  }
+  const double touching = begin_ == 0.0 ? touching_tolerance : 0.0;
+  group.track->start(part, begin_, touching, std::move(rests), stepping);
+}
+
+void IslandMotion::move_groups() {
+  const State state = state_at(begin_);
+  while (true) {
+    // One group alone meets nobody: it need not stop at the end of a window.
+    const bool alone = groups_.size() == 1;
+    end_ = begin_ + length_;
+    for (Group& group : groups_) {
+      Track& track = *group.track;
+      while (track.clock() < end_)
+        track.advance(alone ? forever : end_);
+      if (alone) end_ = track.clock();
+    }
+    if (alone || !join_those_that_met(state)) return;
+  }
+}
+
+/// Joins groups whose sweeps overlap and puts them back to the start of the window; false where
+/// there are none.
+bool IslandMotion::join_those_that_met(const State& state) {
+  for (std::size_t i = 0; i < bounds_.size(); ++i)
+    bounds_[i] = {state[i].position, state[i].position};
+  std::vector<BoundingBox> part;
+  for (const Group& group : groups_) {
+    part.assign(group.cubes.size(), {Vec2::Constant(forever), Vec2::Constant(-forever)});
+    group.track->sweep(begin_, part);
+    for (std::size_t m = 0; m < part.size(); ++m)
+      bounds_[static_cast<std::size_t>(group.cubes[m])] = part[m];
+  }
+  std::vector<int> parent(groups_.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  bool met = false;
+  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
+    const int a = group_of_[static_cast<std::size_t>(pair.first)];
+    const int b = group_of_[static_cast<std::size_t>(pair.second)];
+    if (root(parent, a) == root(parent, b)) continue;
+    unite(parent, a, b);
+    met = true;
+  }
+  if (!met) return false;
+  std::vector<std::vector<int>> parts(groups_.size());
+  for (std::size_t i = 0; i < group_of_.size(); ++i)
+    parts[static_cast<std::size_t>(root(parent, group_of_[i]))].push_back(static_cast<int>(i));
+  std::erase_if(parts, [](const std::vector<int>& p) { return p.empty(); });
+  std::ranges::sort(parts);
+  regroup(state, parts);
+  return true;
+}
+
+/// Takes the books of all groups over; events in the order of time.
+void IslandMotion::commit() {
+  const std::size_t first = computed_.events.size();
+  for (Group& group : groups_) {
+    Bookkeeping& book = group.track->book();
+    computed_.events.insert(computed_.events.end(), book.events.begin(), book.events.end());
+    add_cost(book.cost, computed_.cost);
+    add_audit(book.audit, computed_.audit);
+    book = {};
+  }
+  std::stable_sort(computed_.events.begin() + static_cast<std::ptrdiff_t>(first),
+                   computed_.events.end(),
+                   [](const Event& a, const Event& b) { return a.t < b.t; });
 }
 
 }  // namespace wuerfel

@@ -1,11 +1,19 @@
+/// Motion of all cubes: groups that cannot meet for a while move by themselves, each with its own
+/// clock, its own steps and its own choice between events and stepping.
 #pragma once
 
-#include "core/time/event_motion.h"
+#include <memory>
+
 #include "core/time/motion.h"
 #include "core/time/stepper.h"
+#include "core/time/track.h"
 
 namespace wuerfel {
 
+/// Works in windows of time. At the start of a window cubes whose predicted sweeps overlap form a
+/// group; afterwards the sweeps that really happened are compared, and groups that could have met
+/// are joined and moved again. How long windows are and where they lie does not depend on when
+/// somebody looks, so that looking does not change the motion.
 class IslandMotion final : public Motion {
  public:
   IslandMotion(const System& system, const MotionSettings& settings, Moment start);
@@ -16,12 +24,37 @@ class IslandMotion final : public Motion {
   [[nodiscard]] const Bookkeeping& book() const override { return shown_; }
 
  private:
+  struct Group {
+    std::vector<int> cubes;          ///< ascending
+    std::unique_ptr<System> system;  ///< of these cubes; none where it is the whole one
+    std::unique_ptr<Track> track;
+  };
+  void next_window();
+  void begin_window();
+  void move_groups();
+  [[nodiscard]] State state_at(double t);
+  void predict(const State& state, double length);
+  void partition(std::vector<std::vector<int>>& parts);
+  void regroup(const State& state, const std::vector<std::vector<int>>& parts);
+  void make_group(const State& state, const std::vector<int>& cubes, Group& group);
+  bool join_those_that_met(const State& state);
+  void commit();
+
   const System* system_;
   MotionSettings settings_;
-  EventMotion motion_;
   Stepper looker_;
+  Scales scales_;
+  std::vector<Group> groups_;
+  std::vector<int> group_of_;              ///< per cube
+  std::vector<char> resting_;              ///< per cube, at the start of the window
+  std::vector<Track::Stepping> stepping_;  ///< per cube, at the start of the window
+  std::vector<BoundingBox> bounds_;
+  BroadPhase broad_phase_;
+  double begin_ = 0.0;   ///< s, of the window
+  double end_ = 0.0;     ///< s, up to which all groups have come
+  double length_ = 0.0;  ///< s, of the next window
   Moment moment_;
-  Bookkeeping computed_;  ///< up to the clocks
+  Bookkeeping computed_;  ///< up to the clocks; events in the order of time
   Bookkeeping shown_;     ///< up to now
   std::size_t next_event_ = 0;
 };

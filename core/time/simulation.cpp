@@ -20,8 +20,11 @@ std::unique_ptr<Motion> make_motion(const System& system,
   switch (settings.integrator) {
     case Integrator::euler:
     case Integrator::symplectic:
+    case Integrator::moreau:
       return std::make_unique<SteppedMotion>(system, settings, std::move(start));
+    case Integrator::automatic:
     case Integrator::event:
+    case Integrator::rattle:
       break;
   }
   return std::make_unique<IslandMotion>(system, settings, std::move(start));

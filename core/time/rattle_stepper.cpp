@@ -1,0 +1,333 @@
+#include "core/time/rattle_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/time/contact_law.h"
+
+namespace wuerfel {
+namespace {
+
+// Shares of the smaller side of a pair.
+constexpr double near_share = 1e-2;      ///< nearer pairs are candidates
+constexpr double overlap_share = 1e-10;  ///< overlap that is left
+constexpr double touching_share = 1e-8;  ///< nearer contacts take part in the velocity program
+constexpr double pressed_share = 1e-3;   ///< those that were pressed do within this distance
+constexpr double closable_share = 1e-5;  ///< gaps of pressed contacts that may be closed
+constexpr double fast_share = 0.25;  ///< pairs that move by more are candidates when near at no end
+constexpr int placements = 2;
+constexpr int most_clean_ups = 8;
+constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
+/// Closing speeds beyond this many g h are impacts, not the load of a step.
+constexpr double impact_steps = 3.0;
+
+/// A state whose velocities are the displacement from one state to another: what rows times a
+/// displacement are read from.
+State displacement_of(const State& from, const State& to) {
+  State moved = from;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    moved[i].velocity = to[i].position - from[i].position;
+    moved[i].spin = to[i].angle - from[i].angle;
+  }
+  return moved;
+}
+
+}  // namespace
+
+RattleStepper::RattleStepper(const System& system, const MotionSettings& settings)
+    : system_(&system), dynamics_(system, settings) {}
+
+double RattleStepper::longest_step(const State& state) const {
+  double fastest = 0.0;
+  double thinnest = std::numeric_limits<double>::max();
+  for (int i = 0; i < system_->count(); ++i) {
+    const Body& body = system_->body(i);
+    if (body.kind == BodyKind::plane) continue;
+    thinnest = std::min(thinnest, body.size.minCoeff());
+    if (!system_->is_cube(i)) continue;
+    const BodyState& s = state[static_cast<std::size_t>(i)];
+    fastest = std::max(fastest, s.velocity.norm() + 0.5 * body.size.norm() * std::abs(s.spin));
+  }
+  // h (v + g h) = thinnest / 2, both bodies of a pair moving.
+  const double g = system_->gravity.norm();
+  const double reach = 0.25 * thinnest;
+  if (g == 0.0) return fastest > 0.0 ? reach / fastest : std::numeric_limits<double>::infinity();
+  return 2.0 * reach / (fastest + std::sqrt(fastest * fastest + 4.0 * g * reach));
+}
+
+double RattleStepper::step(State& state, double t, double h, Bookkeeping& book) {
+  ++book.cost.steps;
+  scales_ = scales_of(*system_, state);
+  start_ = state;
+  const double before = energy(*system_, state);
+  State predicted = state;
+  for (BodyState& s : predicted) {
+    s.position += h * (s.velocity + 0.5 * h * system_->gravity);
+    s.angle += h * s.spin;
+  }
+  find_candidates(predicted, h);
+  place(state, predicted, h, book);
+  clean_up(state, h, book);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state[i].velocity = (state[i].position - start_[i].position) / h + 0.5 * h * system_->gravity;
+    state[i].spin = (state[i].angle - start_[i].angle) / h;
+  }
+  const std::size_t first_event = book.events.size();
+  hit(state, t + h, h, book);
+  const double rise = energy(*system_, state) - before;
+  if (rise < 0.0 && book.events.size() > first_event) book.events[first_event].loss = -rise;
+  return rise;
+}
+
+void RattleStepper::find_candidates(const State& predicted, double h) {
+  pose_boxes(*system_, start_, boxes_);
+  pose_boxes(*system_, predicted, predicted_boxes_);
+  bounds_.clear();
+  candidates_.clear();
+  for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Box& from = boxes_[at];
+    const Box& to = predicted_boxes_[at];
+    const auto extent = [](const Box& box) {
+      return Vec2(box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
+                  + Vec2::Constant(near_share * box.smaller_side()));
+    };
+    bounds_.push_back({(from.center - extent(from)).cwiseMin(to.center - extent(to)),
+                       (from.center + extent(from)).cwiseMax(to.center + extent(to))});
+  }
+  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
+    if (system_->is_cube(pair.first)) add_pair(pair, h);
+  }
+  add_planes();
+}
+
+void RattleStepper::add_pair(const IndexPair& pair, double h) {
+  const auto i = static_cast<std::size_t>(pair.first);
+  const auto j = static_cast<std::size_t>(pair.second);
+  const double side = std::min(boxes_[i].smaller_side(), boxes_[j].smaller_side());
+  const Vec2 relative = (predicted_boxes_[i].center - boxes_[i].center)
+                        - (predicted_boxes_[j].center - boxes_[j].center);
+  const bool near = separation(boxes_[i], boxes_[j]) < near_share * side
+                    || separation(predicted_boxes_[i], predicted_boxes_[j]) < near_share * side
+                    || relative.norm() > fast_share * side;
+  if (!near) return;
+  const auto spin = [&](int body) {
+    return system_->is_cube(body) ? std::abs(start_[static_cast<std::size_t>(body)].spin) : 0.0;
+  };
+  // Sides that may become flush within the step: a second corner on sides that are not gives a
+  // false impulse when a corner passes the end of an edge.
+  const double flush =
+      2.0 * h * (spin(pair.first) + spin(pair.second)) + 30.0 * scales_.gravity * h * h / side;
+  add_near_contacts(boxes_, pair.first, pair.second, flush, candidates_);
+}
+
+void RattleStepper::add_planes() {
+  for (int p = 0; p < system_->count(); ++p) {
+    const Body& plane = system_->body(p);
+    if (plane.kind != BodyKind::plane) continue;
+    for (int i = 0; i < system_->cubes; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double near = near_share * boxes_[at].smaller_side();
+      for (int k = 0; k < 4; ++k) {
+        const auto gap = [&](const Box& box) {
+          return plane.normal.dot((box.center - plane.point)
+                                  + box.arm[static_cast<std::size_t>(k)]);
+        };
+        if (gap(boxes_[at]) >= near && gap(predicted_boxes_[at]) >= near) continue;
+        Contact c;
+        c.on = i;
+        c.from = p;
+        c.corner = k;
+        candidates_.push_back(at_poses(*system_, boxes_, c));
+      }
+    }
+  }
+}
+
+void RattleStepper::place(State& state, const State& predicted, double h, Bookkeeping& book) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state[i].position = predicted[i].position;
+    state[i].angle = predicted[i].angle;
+  }
+  pressed_.clear();
+  find_islands(*system_, candidates_, islands_);
+  for (const Island& island : islands_)
+    place_island(island, predicted, h, state, book);
+}
+
+void RattleStepper::place_island(
+    const Island& island, const State& predicted, double h, State& state, Bookkeeping& book) {
+  // Where free flight touches nothing there is nothing to solve.
+  const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
+    return at_poses(*system_, predicted_boxes_, c).gap < 0.0;
+  });
+  if (free) {
+    ++book.cost.skipped_certificate;
+    return;
+  }
+  std::vector<Twist> targets;
+  for (const int cube : island.cubes) {
+    const auto i = static_cast<std::size_t>(cube);
+    targets.push_back(
+        {predicted[i].position - start_[i].position, predicted[i].angle - start_[i].angle});
+  }
+  Island frozen = island;
+  use_.assign(island.contacts.size(), SideUse::inequality);
+  IslandSolution solution;
+  for (int k = 0; k < placements; ++k) {
+    solution = dynamics_.correction(start_, frozen, use_, targets);
+    keep_book(solution, book);
+    for (std::size_t m = 0; m < island.cubes.size(); ++m) {
+      const auto i = static_cast<std::size_t>(island.cubes[m]);
+      state[i].position = start_[i].position + solution.twists[m].linear;
+      state[i].angle = start_[i].angle + solution.twists[m].angular;
+    }
+    if (k + 1 == placements) break;
+    // Directions stay those of the start; gaps are measured where the cubes have come.
+    pose_boxes(*system_, state, end_boxes_);
+    const State moved = displacement_of(start_, state);
+    for (Contact& c : frozen.contacts) {
+      const double gap = at_poses(*system_, end_boxes_, c).gap;
+      c.gap = gap - gap_rate(c, contact_velocity(*system_, moved, c));
+    }
+  }
+  const double largest = std::ranges::max(solution.forces);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (solution.forces[k] > pressed_force * largest)
+      pressed_.push_back({island.contacts[k], solution.forces[k] / h});
+  }
+}
+
+bool RattleStepper::overlaps(const std::vector<Box>& boxes, const Contact& c) const {
+  if (c.gap >= -overlap_share * contact_scale(*system_, c)) return false;
+  if (system_->body(c.from).kind == BodyKind::plane) return true;
+  // Behind the line of a side, but perhaps beyond its end.
+  return separation(boxes[static_cast<std::size_t>(c.on)], boxes[static_cast<std::size_t>(c.from)])
+         < -overlap_share * contact_scale(*system_, c);
+}
+
+void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
+  std::vector<Contact> found;
+  for (int round = 0; round < most_clean_ups; ++round) {
+    // Pairs that only met because neighbours pushed them: their sides are chosen at the start,
+    // where they did not overlap.
+    finder_.find(*system_, state, found, 0.0);
+    const double deepest = finder_.deepest().depth;
+    if (deepest <= overlap_share * finder_.deepest().scale) return;
+    for (const Contact& c : found) {
+      if (system_->body(c.from).kind == BodyKind::plane) continue;
+      const IndexPair pair = std::minmax(c.on, c.from);
+      const bool known = std::ranges::any_of(candidates_, [&](const Contact& d) {
+        return IndexPair(std::minmax(d.on, d.from)) == pair;
+      });
+      if (!known) add_near_contacts(boxes_, pair.first, pair.second, h, candidates_);
+    }
+    pose_boxes(*system_, state, end_boxes_);
+    contacts_.clear();
+    for (const Contact& c : candidates_) {
+      const Contact now = at_poses(*system_, end_boxes_, c);
+      if (now.gap < pressed_share * contact_scale(*system_, c)
+          && (now.gap >= 0.0 || overlaps(end_boxes_, now)))
+        contacts_.push_back(now);
+    }
+    for (const Contact& c : found) {
+      if (system_->body(c.from).kind != BodyKind::plane) continue;
+      const bool known =
+          std::ranges::any_of(contacts_, [&](const Contact& d) { return d.id() == c.id(); });
+      if (!known) contacts_.push_back(c);
+    }
+    find_islands(*system_, contacts_, islands_);
+    for (const Island& island : islands_) {
+      const bool off = std::ranges::any_of(
+          island.contacts, [&](const Contact& c) { return overlaps(end_boxes_, c); });
+      if (!off) continue;
+      use_.assign(island.contacts.size(), SideUse::inequality);
+      const IslandSolution solution = dynamics_.correction(state, island, use_);
+      keep_book(solution, book);
+      for (std::size_t m = 0; m < island.cubes.size(); ++m) {
+        BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
+        s.position += solution.twists[m].linear;
+        s.angle += solution.twists[m].angular;
+      }
+    }
+  }
+}
+
+void RattleStepper::hit(State& state, double t, double h, Bookkeeping& book) {
+  finder_.find(*system_, state, contacts_, touching_share);
+  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  std::vector<ContactId> known;
+  for (const Contact& c : contacts_)
+    known.push_back(c.id());
+  std::ranges::sort(known);
+  for (const Pressed& p : pressed_) {
+    const Contact now = at_poses(*system_, finder_.boxes(), p.contact);
+    if (std::abs(now.gap) < pressed_share * contact_scale(*system_, now)
+        && !std::ranges::binary_search(known, now.id()))
+      contacts_.push_back(now);
+  }
+  find_islands(*system_, contacts_, islands_);
+  for (const Island& island : islands_) {
+    const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
+      return contact_motion(*system_, state, c) == ContactMotion::closing;
+    });
+    if (!closing) continue;
+    const IslandSolution solution = dynamics_.impact(state, island);
+    keep_book(solution, book);
+    for (std::size_t m = 0; m < island.cubes.size(); ++m) {
+      BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
+      s.velocity = solution.twists[m].linear;
+      s.spin = solution.twists[m].angular;
+    }
+    log_hits(island, solution, t, h, book);
+  }
+}
+
+void RattleStepper::log_hits(const Island& island,
+                             const IslandSolution& solution,
+                             double t,
+                             double h,
+                             Bookkeeping& book) const {
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    const double rate = gap_rate(c, contact_velocity(*system_, start_, c));
+    if (rate >= -impact_steps * scales_.gravity * h) continue;
+    double impulse = solution.forces[k];
+    for (const Pressed& p : pressed_) {
+      if (p.contact.id() == c.id()) impulse += p.impulse;
+    }
+    if (impulse <= 0.0) continue;
+    book.events.push_back({t, EventKind::impact, system_->body(c.on).name,
+                           system_->body(c.from).name, c.point, impulse, 0.0});
+  }
+}
+
+void RattleStepper::close_gaps(State& state, Bookkeeping& book) {
+  pose_boxes(*system_, state, end_boxes_);
+  contacts_.clear();
+  for (const Pressed& p : pressed_) {
+    const Contact now = at_poses(*system_, end_boxes_, p.contact);
+    const bool on_side =
+        system_->body(now.from).kind == BodyKind::plane || (now.alpha >= 0.0 && now.alpha <= 1.0);
+    if (on_side && std::abs(now.gap) < closable_share * contact_scale(*system_, now))
+      contacts_.push_back(now);
+  }
+  find_islands(*system_, contacts_, islands_);
+  for (const Island& island : islands_) {
+    use_.assign(island.contacts.size(), SideUse::equality);
+    const IslandSolution solution = dynamics_.correction(state, island, use_);
+    keep_book(solution, book);
+    if (solution.status != QpStatus::optimal) {
+      --book.audit.missed_solves;
+      continue;
+    }
+    for (std::size_t m = 0; m < island.cubes.size(); ++m) {
+      BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
+      s.position += solution.twists[m].linear;
+      s.angle += solution.twists[m].angular;
+    }
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,86 @@
+/// The motion of a group of cubes by itself, with a clock of its own: from event to event, and in
+/// steps where events crowd.
+#pragma once
+
+#include <deque>
+#include <limits>
+
+#include "core/time/event_motion.h"
+#include "core/time/rattle_stepper.h"
+
+namespace wuerfel {
+
+/// Which of the two moves the group. Changes are decided by counts of events, never by clocks of
+/// the machine: the same scene changes at the same instants.
+///
+///   - events are counted in frames of L / V / 20; more than 20 in one frame hand over to stepping,
+///   at
+///     once and from where the motion is,
+///   - stepping lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon; then gaps of
+///     contacts that carry load are closed and the events get their next chance.
+class Track {
+ public:
+  Track(const System& system, const MotionSettings& settings);
+
+  /// Where a stepping that was begun would end, and how long the next one lasts.
+  struct Stepping {
+    double until = -1.0;  ///< s; in the past where there is none
+    int patience = 1;     ///< frames
+  };
+
+  /// The motion begins at time t. `touching` is the share of the smaller side up to which bodies
+  /// touch (0: to rounding); `resting` are the cubes known to be at rest; `stepping` goes on where
+  /// it is not over.
+  void start(const State& state,
+             double t,
+             double touching,
+             std::vector<char> resting,
+             const Stepping& stepping);
+  [[nodiscard]] Stepping stepping() const;
+
+  /// Time up to which the motion is known; infinite where all is at rest.
+  [[nodiscard]] double clock() const;
+  /// One step, at most to `limit`.
+  void advance(double limit);
+  /// State at a time that is known and not forgotten; just after events.
+  [[nodiscard]] State at(double t);
+  void forget_before(double t);
+
+  [[nodiscard]] bool at_rest() const { return !stepping_ && events_.at_rest(); }
+  /// Certified rest, per cube.
+  [[nodiscard]] const std::vector<char>& resting() const;
+  /// What has been booked since it was cleared.
+  [[nodiscard]] Bookkeeping& book() { return book_; }
+  /// Bounds of what each cube swept since `t`, blown up by its half diagonal.
+  void sweep(double t, std::vector<BoundingBox>& bounds) const;
+
+ private:
+  void count_events();
+  void hand_over();
+  void step(double limit);
+  void hand_back();
+
+  const System* system_;
+  MotionSettings settings_;
+  EventMotion events_;
+  RattleStepper stepper_;
+  RattleStepper looker_;  ///< for looks between steps
+  Scales scales_;
+  bool stepping_ = false;
+  double clock_ = 0.0;  ///< s, of the stepping
+  State state_;         ///< of the stepping
+  std::deque<MotionPiece> pieces_;
+  double until_ = 0.0;  ///< s, end of the stepping
+  double step_ = 0.0;   ///< s
+  long frame_ = 0;      ///< number of the frame in which events are counted
+  long frame_events_ = 0;
+  long last_events_ = 0;
+  int patience_ = 1;          ///< frames of the next stepping
+  double handed_back_ = 0.0;  ///< s
+  Bookkeeping book_;
+};
+
+/// The one that ends later, with the longer patience.
+Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b);
+
+}  // namespace wuerfel
