@@ -6,12 +6,19 @@
 namespace wuerfel {
 namespace {
 
-constexpr double proximal_equality = 1e-10;  ///< delta |g|^2 of rows without finite ends
+constexpr double proximal_equality = 1e-10;  ///< delta / |g|^2 of rows without finite ends
+constexpr double careful_proximal = 1e-14;   ///< the same of rows with one, where K has to be tamed
 constexpr double to_the_boundary = 0.995;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
 constexpr int most_steps = 100;
 constexpr double near = 1e-6;  ///< residual from which on progress is expected in every step
+constexpr double progress = 0.95;
 constexpr int patience = 12;
+/// Unbalance, in parts of the residual that the centre has, at which K is taken to be too
+/// ill-conditioned.
+constexpr double most_unbalance = 0.1;
+/// Below this part of the goal nothing is gained by smaller products.
+constexpr double needless = 0.1;
 
 bool is_finite(double end) { return end != unbounded && end != -unbounded; }
 
@@ -53,9 +60,13 @@ MethodOutcome InteriorPointMethod::run(
   int lost = 0;
   for (int step = 0; step < most_steps; ++step) {
     const double unbalance = round_off(problem, scales);
-    const double worst = std::max(worst_row(problem, scales, rhs_, scratch_), unbalance);
+    const double worst = std::max(worst_row(problem, scales, rest_, scratch_), unbalance);
     const double mu = complementarity(problem);
-    lost = worst < 0.5 * outcome.worst || outcome.worst > near ? 0 : lost + 1;
+    const double force = largest_force(scales);
+    // Rows at the centre have gaps and forces of this size.
+    const double centre = force > 0.0 ? std::sqrt(mu / (force * scales.acceleration)) : 0.0;
+    const bool early = outcome.worst > near || centre > outcome.worst;
+    lost = worst < progress * outcome.worst || early ? 0 : lost + 1;
     if (worst < outcome.worst) {
       outcome.worst = worst;
       best_ = scratch_;
@@ -70,13 +81,16 @@ MethodOutcome InteriorPointMethod::run(
       outcome.end = MethodEnd::infeasible;
       break;
     }
+    if (find_unbalance(problem) > force * std::max(most_unbalance * centre, needless * goal))
+      proximal_ = std::max(proximal_, careful_proximal);
     set_weights(problem);
     problem.factorise(weight_.data());
     ++outcome.factorisations;
     find_direction(problem, 0.0, false);
     const double affine = affine_complementarity(problem, longest_step(problem)) / mu;
-    find_direction(problem, affine * affine * affine * mu, true);
-    move(problem, std::min(1.0, to_the_boundary * longest_step(problem)));
+    const double least = needless * goal * needless * goal * force * scales.acceleration;
+    find_direction(problem, std::max(affine * affine * affine * mu, std::min(mu, least)), true);
+    move(std::min(1.0, to_the_boundary * longest_step(problem)));
   }
   solved_ = outcome.end == MethodEnd::reached;
   return outcome;
@@ -84,7 +98,7 @@ MethodOutcome InteriorPointMethod::run(
 
 void InteriorPointMethod::resize(const LeastDistance& problem) {
   const auto rows = static_cast<std::size_t>(problem.rows());
-  for (auto* v : {&lambda_, &p_, &q_, &d_lambda_, &d_p_, &d_q_, &weight_, &r_, &rhs_, &Gy_, &Gd_,
+  for (auto* v : {&lambda_, &p_, &q_, &d_lambda_, &d_p_, &d_q_, &weight_, &r_, &rhs_, &rest_, &Gd_,
                   &best_, &scratch_})
     v->resize(rows);
   for (auto* v : {&y_, &d_, &unbalance_, &best_y_})
@@ -107,7 +121,11 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
     count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
   }
   problem.apply_transposed(lambda_.data(), y_.data());
-  problem.apply(y_.data(), Gy_.data());
+  problem.apply(y_.data(), rest_.data());
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    rest_[i] = problem.h()[i] - rest_[i];
+    r_[i] = rest_[i] + p_[i] - q_[i];
+  }
 }
 
 double InteriorPointMethod::complementarity(const LeastDistance& problem) const {
@@ -142,10 +160,22 @@ void InteriorPointMethod::set_weights(const LeastDistance& problem) {
     if (p_[i] > 0.0) inverse += p_[i] / (lambda_[i] - problem.force_min()[i]);
     if (q_[i] > 0.0) inverse += q_[i] / (problem.force_max()[i] - lambda_[i]);
     weight_[i] = 1.0 / inverse;
-    r_[i] = problem.h()[i] - Gy_[i] + p_[i] - q_[i];
   }
+}
+
+double InteriorPointMethod::largest_force(const ResidualScales& scales) const {
+  double force = scales.weight;
+  for (std::size_t i = 0; i < lambda_.size(); ++i)
+    force = std::max(force, std::abs(lambda_[i]) * scales.row_norm[i]);
+  return force;
+}
+
+/// G' lambda - y and its largest force. Nothing but rounding: it grows as K gets so ill-conditioned
+/// that the directions in which bodies are free drown in it.
+double InteriorPointMethod::find_unbalance(const LeastDistance& problem) {
   problem.apply_transposed(lambda_.data(), unbalance_.data());
   add(-1.0, y_, unbalance_);
+  return problem.force_of(unbalance_);
 }
 
 /// One solve with the factors at hand: the affine direction, or the one corrected by its second
@@ -197,23 +227,23 @@ double InteriorPointMethod::longest_step(const LeastDistance& problem) const {
   return step;
 }
 
-void InteriorPointMethod::move(LeastDistance& problem, double step) {
+/// What rows miss is updated by differences: fresh rounding of G y in every step would be taken for
+/// missing force, and in walls moves the forces of redundant rows about.
+void InteriorPointMethod::move(double step) {
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    rest_[i] -= step * Gd_[i];
+    r_[i] -= step * (Gd_[i] - (p_[i] > 0.0 ? d_p_[i] : 0.0) + (q_[i] > 0.0 ? d_q_[i] : 0.0));
     lambda_[i] += step * d_lambda_[i];
     if (p_[i] > 0.0) p_[i] = std::max(p_[i] + step * d_p_[i], 1e-300);
     if (q_[i] > 0.0) q_[i] = std::max(q_[i] + step * d_q_[i], 1e-300);
   }
   add(step, d_, y_);
-  problem.apply(y_.data(), Gy_.data());
 }
 
 /// The iterate with multipliers that are smaller than their distances put at their bounds, in
-/// `scratch_`, its h - G y in `rhs_`. Returns how far y is from G' lambda, relative to the largest
-/// force.
+/// `scratch_`. Returns how far y is from their G' lambda, relative to the largest force.
 double InteriorPointMethod::round_off(const LeastDistance& problem, const ResidualScales& scales) {
-  double force = scales.weight;
-  for (std::size_t i = 0; i < lambda_.size(); ++i)
-    force = std::max(force, std::abs(lambda_[i]) * scales.row_norm[i]);
+  const double force = largest_force(scales);
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
     const double unit = scales.row_norm[i] * scales.row_norm[i] * scales.acceleration;
     double lambda = lambda_[i];
@@ -222,7 +252,6 @@ double InteriorPointMethod::round_off(const LeastDistance& problem, const Residu
     if (q_[i] > 0.0 && (problem.force_max()[i] - lambda_[i]) * unit < q_[i] * force)
       lambda = problem.force_max()[i];
     scratch_[i] = lambda;
-    rhs_[i] = problem.h()[i] - Gy_[i];
   }
   problem.apply_transposed(scratch_.data(), d_.data());
   add(-1.0, y_, d_);

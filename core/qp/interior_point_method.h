@@ -26,8 +26,9 @@ namespace wuerfel {
 class InteriorPointMethod {
  public:
   /// Solves to `goal` in the measure of QpResidual, or as far as it gets. `warm` starts near the
-  /// last solution. `proximal` is delta |g|^2 of rows with an end: the larger it is the better K is
-  /// conditioned, and the slower nearly dependent rows settle.
+  /// last solution. `proximal` is delta / |g|^2 of rows with an end: the larger it is the better K
+  /// is conditioned, and the slower nearly dependent rows settle. It is raised where K gets too
+  /// ill-conditioned.
   MethodOutcome run(LeastDistance& problem,
                     const ResidualScales& scales,
                     double goal,
@@ -47,17 +48,20 @@ class InteriorPointMethod {
   void start(const LeastDistance& problem, bool warm);
   [[nodiscard]] double complementarity(const LeastDistance& problem) const;
   [[nodiscard]] double affine_complementarity(const LeastDistance& problem, double step) const;
+  [[nodiscard]] double largest_force(const ResidualScales& scales) const;
+  double find_unbalance(const LeastDistance& problem);
   void set_weights(const LeastDistance& problem);
   void find_direction(LeastDistance& problem, double centring, bool corrector);
   [[nodiscard]] double longest_step(const LeastDistance& problem) const;
-  void move(LeastDistance& problem, double step);
+  void move(double step);
   double round_off(const LeastDistance& problem, const ResidualScales& scales);
 
   bool solved_ = false;
   double proximal_ = 0.0;
   int count_ = 0;  ///< of finite ends
-  std::vector<double> lambda_, p_, q_, d_lambda_, d_p_, d_q_, weight_, r_, rhs_, Gy_, Gd_, best_,
-      scratch_;
+  std::vector<double> lambda_, p_, q_, d_lambda_, d_p_, d_q_, weight_, rhs_, Gd_, best_, scratch_;
+  std::vector<double> rest_;                      ///< h - G y
+  std::vector<double> r_;                         ///< h - G y + p - q
   std::vector<Quad> y_, d_, unbalance_, best_y_;  ///< unbalance: G' lambda - y, rounding only
 };
 

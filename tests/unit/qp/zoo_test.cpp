@@ -9,6 +9,7 @@
 #include "core/qp/block_solver.h"
 #include "core/qp/canonical_multipliers.h"
 #include "core/qp/qp_solver.h"
+#include "tests/support/motion_programs.h"
 #include "tests/support/qp_zoo.h"
 
 namespace wuerfel {
@@ -81,6 +82,46 @@ TEST(Zoo, IsSolvedByIpoptAlike) {
     ++compared;
   }
   EXPECT_GE(compared, 30);
+}
+
+/// Rows by the hundred that carry nearly nothing and have nearly no gap.
+class JammedWall : public testing::TestWithParam<int> {};
+
+TEST_P(JammedWall, IsSolvedByBothMethodsAlike) {
+  for (const int size : {10, 20, 30}) {
+    const QuadraticProgram program = test::wall(
+        size, size, {.shift = 1e-3, .turn = 3e-4, .seed = static_cast<std::uint64_t>(GetParam())});
+    QpResult a;
+    QpResult b;
+    make_qp_solver(QpMethod::automatic)->solve(program, a);
+    make_qp_solver(QpMethod::interior_point)->solve(program, b);
+    EXPECT_EQ(a.status, QpStatus::optimal) << size << ' ' << a.residual.worst();
+    EXPECT_EQ(b.status, QpStatus::optimal) << size << ' ' << b.residual.worst();
+    EXPECT_LE(optimality_residual(program, a.x, a.multiplier).worst(), 1e-10) << size;
+    EXPECT_LE(distance(program, a.x, b.x), 1e-8) << size;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, JammedWall, testing::Range(1, 6));
+
+TEST(ShippedScenes, InMotionAreSolvedByBothMethodsAlike) {
+  const std::vector<ZooProgram> programs = test::motion_programs();
+  ASSERT_GE(programs.size(), 40U);
+  for (const bool warm : {false, true}) {
+    const auto automatic = make_qp_solver(QpMethod::automatic);
+    const auto interior_point = make_qp_solver(QpMethod::interior_point);
+    QpResult a;
+    QpResult b;
+    for (const ZooProgram& zoo : programs) {
+      if (!warm) automatic->forget();
+      if (!warm) interior_point->forget();
+      automatic->solve(zoo.program, a);
+      interior_point->solve(zoo.program, b);
+      EXPECT_EQ(a.status, QpStatus::optimal) << zoo.name << ' ' << a.residual.worst();
+      EXPECT_EQ(b.status, QpStatus::optimal) << zoo.name << ' ' << b.residual.worst();
+      EXPECT_LE(distance(zoo.program, a.x, b.x), 1e-8) << zoo.name;
+    }
+  }
 }
 
 TEST(Tower, OfAThousandStands) {
