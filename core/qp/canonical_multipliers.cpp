@@ -154,8 +154,10 @@ void CanonicalMultipliers::find_flags(const QuadraticProgram& program,
 bool CanonicalMultipliers::find_support(const QuadraticProgram& program) {
   const ResidualScales& scales = meter_.measure_scales(program);
   whole_.prepare(program);
-  const MethodOutcome outcome = interior_point_.run(whole_, scales, 1e-13, false, 1e-14);
-  if (outcome.worst > 1e-10) return false;
+  // Nearer to the solution rounding would decide which of the redundant rows carry force.
+  constexpr double near = 1e-10;
+  const MethodOutcome outcome = interior_point_.run(whole_, scales, near, false, 1e-14);
+  if (outcome.worst > near) return false;
   const std::vector<double>& lambda = interior_point_.multiplier();
   double force = 0.0;
   for (const int row : row_)

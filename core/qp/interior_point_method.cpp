@@ -7,7 +7,11 @@ namespace wuerfel {
 namespace {
 
 constexpr double proximal_equality = 1e-10;  ///< delta / |g|^2 of rows without finite ends
-constexpr double careful_proximal = 1e-14;   ///< the same of rows with one, where K has to be tamed
+/// Steps after which nearly dependent rows are taken to creep, and what the others' delta / |g|^2
+/// is then.
+constexpr int slow = 20;
+constexpr double slow_affine = 0.1;
+constexpr double slow_proximal = 1e-20;
 constexpr double to_the_boundary = 0.995;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
 constexpr int most_steps = 100;
@@ -57,6 +61,8 @@ MethodOutcome InteriorPointMethod::run(
   resize(problem);
   start(problem, warm);
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
+  double affine = 0.0;
+  bool rounded = false;
   int lost = 0;
   for (int step = 0; step < most_steps; ++step) {
     const double unbalance = round_off(problem, scales);
@@ -82,12 +88,14 @@ MethodOutcome InteriorPointMethod::run(
       break;
     }
     if (find_unbalance(problem) > force * std::max(most_unbalance * centre, needless * goal))
-      proximal_ = std::max(proximal_, careful_proximal);
+      rounded = true;
+    const bool creeping = step >= slow && affine > slow_affine && !rounded;
+    proximal_ = creeping ? std::min(proximal, slow_proximal) : proximal;
     set_weights(problem);
     problem.factorise(weight_.data());
     ++outcome.factorisations;
     find_direction(problem, 0.0, false);
-    const double affine = affine_complementarity(problem, longest_step(problem)) / mu;
+    affine = affine_complementarity(problem, longest_step(problem)) / mu;
     const double least = needless * goal * needless * goal * force * scales.acceleration;
     find_direction(problem, std::max(affine * affine * affine * mu, std::min(mu, least)), true);
     move(std::min(1.0, to_the_boundary * longest_step(problem)));
