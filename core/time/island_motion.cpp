@@ -85,14 +85,9 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
 void IslandMotion::advance_to(double t) {
   while (end_ <= t && t > 0.0)
     next_window();
-  moment_ = {};
-  moment_.t = t;
-  moment_.state = state_at(t);
-  looker_.observe(moment_, computed_);
-  shown_.cost = computed_.cost;
-  const double loss = shown_.audit.impact_loss;
-  shown_.audit = computed_.audit;
-  shown_.audit.impact_loss = loss;
+  // What was seen when all had come to rest is what is seen later.
+  if (time_ < still_since_) known_ = Known::nothing;
+  time_ = moment_.t = t;
   for (; next_event_ < computed_.events.size() && computed_.events[next_event_].t <= t;
        ++next_event_) {
     shown_.events.push_back(computed_.events[next_event_]);
@@ -100,9 +95,35 @@ void IslandMotion::advance_to(double t) {
   }
 }
 
+const Moment& IslandMotion::now() {
+  if (known_ != Known::nothing) return moment_;
+  moment_ = {};
+  moment_.t = time_;
+  moment_.state = state_at(time_);
+  known_ = Known::state;
+  return moment_;
+}
+
+const Moment& IslandMotion::now_with_contacts() {
+  now();
+  if (known_ == Known::contacts) return moment_;
+  looker_.observe(moment_, computed_);
+  known_ = Known::contacts;
+  return moment_;
+}
+
 const Moment& IslandMotion::now_with_forces() {
+  now_with_contacts();
   looker_.accelerate(moment_, computed_);
   return moment_;
+}
+
+const Bookkeeping& IslandMotion::book() {
+  const double loss = shown_.audit.impact_loss;
+  shown_.audit = computed_.audit;
+  shown_.audit.impact_loss = loss;
+  shown_.cost = computed_.cost;
+  return shown_;
 }
 
 State IslandMotion::state_at(double t) {
@@ -163,6 +184,7 @@ void IslandMotion::next_window() {
   begin_ = end_;
   if (all_rest) {
     end_ = forever;
+    still_since_ = begin_;
     for (Group& group : groups_) {
       if (group.track->clock() < forever) group.track->advance(forever);
     }

@@ -2,6 +2,7 @@
 /// clock, its own steps and its own choice between events and stepping.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "core/time/motion.h"
@@ -19,9 +20,11 @@ class IslandMotion final : public Motion {
   IslandMotion(const System& system, const MotionSettings& settings, Moment start);
 
   void advance_to(double t) override;
-  [[nodiscard]] const Moment& now() const override { return moment_; }
-  [[nodiscard]] const Moment& now_with_forces() override;
-  [[nodiscard]] const Bookkeeping& book() const override { return shown_; }
+  [[nodiscard]] double time() const override { return time_; }
+  const Moment& now() override;
+  const Moment& now_with_contacts() override;
+  const Moment& now_with_forces() override;
+  [[nodiscard]] const Bookkeeping& book() override;
 
  private:
   struct Group {
@@ -53,7 +56,13 @@ class IslandMotion final : public Motion {
   double begin_ = 0.0;   ///< s, of the window
   double end_ = 0.0;     ///< s, up to which all groups have come
   double length_ = 0.0;  ///< s, of the next window
-  Moment moment_;
+  double time_ = 0.0;    ///< s, where the motion is looked at
+  double still_since_ =
+      std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while
+                                                ///< something does
+  Moment moment_;                               ///< at `time_`, as far as it was asked for
+  enum class Known { nothing, state, contacts };
+  Known known_ = Known::nothing;
   Bookkeeping computed_;  ///< up to the clocks; events in the order of time
   Bookkeeping shown_;     ///< up to now
   std::size_t next_event_ = 0;

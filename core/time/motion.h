@@ -11,12 +11,15 @@ class Motion {
   virtual ~Motion() = default;
   /// Moves on to time t exactly; the state is that just after an event that falls on t.
   virtual void advance_to(double t) = 0;
-  /// Where the motion is.
-  [[nodiscard]] virtual const Moment& now() const = 0;
+  [[nodiscard]] virtual double time() const = 0;
+  /// Where the motion is: its state.
+  virtual const Moment& now() = 0;
+  /// The same with contacts, which the audit sees.
+  virtual const Moment& now_with_contacts() = 0;
   /// The same with accelerations and forces.
-  [[nodiscard]] virtual const Moment& now_with_forces() = 0;
+  virtual const Moment& now_with_forces() = 0;
   /// What happened up to now.
-  [[nodiscard]] virtual const Bookkeeping& book() const = 0;
+  [[nodiscard]] virtual const Bookkeeping& book() = 0;
 };
 
 }  // namespace wuerfel

@@ -55,7 +55,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance_to(double t) { impl_->motion->advance_to(t); }
 
-double Simulation::time() const { return impl_->motion->now().t; }
+double Simulation::time() const { return impl_->motion->time(); }
 
 const State& Simulation::states() const { return impl_->motion->now().state; }
 
@@ -72,8 +72,9 @@ const Cost& Simulation::cost() const { return impl_->motion->book().cost; }
 
 Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
   const bool forces = request.forces || request.rod_forces;
-  return take_snapshot(impl_->scene, impl_->system,
-                       forces ? impl_->motion->now_with_forces() : impl_->motion->now(), request);
+  return take_snapshot(
+      impl_->scene, impl_->system,
+      forces ? impl_->motion->now_with_forces() : impl_->motion->now_with_contacts(), request);
 }
 
 std::vector<std::string> Simulation::moved() const {

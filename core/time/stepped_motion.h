@@ -13,9 +13,11 @@ class SteppedMotion final : public Motion {
   SteppedMotion(const System& system, const MotionSettings& settings, Moment start);
 
   void advance_to(double t) override;
-  [[nodiscard]] const Moment& now() const override { return shown_ ? *shown_ : grid_; }
-  [[nodiscard]] const Moment& now_with_forces() override;
-  [[nodiscard]] const Bookkeeping& book() const override { return book_; }
+  [[nodiscard]] double time() const override { return shown_ ? shown_->t : grid_.t; }
+  const Moment& now() override { return shown_ ? *shown_ : grid_; }
+  const Moment& now_with_contacts() override { return now(); }
+  const Moment& now_with_forces() override;
+  [[nodiscard]] const Bookkeeping& book() override { return book_; }
 
  private:
   void note_rods();
