@@ -14,10 +14,14 @@ FramePipeline::FramePipeline(PipelineSettings settings, PipelineOutputs outputs)
   for (std::size_t slot = 0; slot < slots; ++slot)
     free_slots_.push(slot);
   drawing_ = std::thread([this] { run_guarded(&FramePipeline::draw_frames); });
-  encoding_ = std::thread([this] { run_guarded(&FramePipeline::encode_frames); });
+  for (int i = 0; i < settings_.encoding_threads; ++i)
+    encoding_.emplace_back([this] { run_guarded(&FramePipeline::encode_frames); });
 }
 
-FramePipeline::~FramePipeline() { stop(); }
+FramePipeline::~FramePipeline() {
+  close_queues();
+  join();
+}
 
 /// What a thread throws is kept for the caller, and all queues are closed so that nobody waits for
 /// it.
@@ -29,18 +33,24 @@ void FramePipeline::run_guarded(void (FramePipeline::*work)()) {
       const std::scoped_lock lock(failure_mutex_);
       if (!failure_) failure_ = std::current_exception();
     }
-    jobs_.close();
-    drawn_.close();
-    free_slots_.close();
+    close_queues();
   }
 }
 
-void FramePipeline::stop() {
+void FramePipeline::close_queues() {
   jobs_.close();
-  free_slots_.close();
   drawn_.close();
+  free_slots_.close();
+  const std::scoped_lock lock(turn_mutex_);
+  stopped_ = true;
+  turn_changed_.notify_all();
+}
+
+void FramePipeline::join() {
   if (drawing_.joinable()) drawing_.join();
-  if (encoding_.joinable()) encoding_.join();
+  for (std::thread& thread : encoding_) {
+    if (thread.joinable()) thread.join();
+  }
 }
 
 void FramePipeline::rethrow_failure() {
@@ -54,8 +64,7 @@ void FramePipeline::add(FrameJob job) {
 
 void FramePipeline::finish() {
   jobs_.close();
-  if (drawing_.joinable()) drawing_.join();
-  if (encoding_.joinable()) encoding_.join();
+  join();
   rethrow_failure();
 }
 
@@ -65,8 +74,9 @@ void FramePipeline::draw_frames() {
   DrawList last;
   std::optional<std::uint64_t> last_revision;
   View last_view;
+  std::uint64_t number = 0;
   while (std::optional<FrameJob> job = jobs_.pop()) {
-    Drawn frame{std::nullopt, std::move(job->texts)};
+    Drawn frame{number++, std::nullopt, std::move(job->texts)};
     // Equal revisions differ in the time alone; equal lists are equal pictures.
     const bool known =
         !shows_time && last_revision == job->snapshot.revision && last_view == job->view;
@@ -89,30 +99,34 @@ void FramePipeline::draw_frames() {
 }
 
 void FramePipeline::encode_frames() {
-  std::optional<std::size_t> current;
   while (const std::optional<Drawn> frame = drawn_.pop()) {
-    if (frame->slot) {
-      if (current) free_slots_.push(*current);
-      current = frame->slot;
-    }
-    write_frame(*frame, images_.at(*current));
+    CompressedImage compressed;
+    if (frame->slot && outputs_.take_png) compressed = compress(images_.at(*frame->slot));
+    std::unique_lock turn(turn_mutex_);
+    turn_changed_.wait(turn, [&] { return stopped_ || turn_ == frame->number; });
+    if (stopped_) return;
+    if (frame->slot) compressed_ = std::move(compressed);
+    write_frame(*frame);
+    if (frame->slot) free_slots_.push(*frame->slot);
+    ++turn_;
+    turn_changed_.notify_all();
   }
 }
 
-void FramePipeline::write_frame(const Drawn& frame, const Image& image) {
+CompressedImage FramePipeline::compress(const Image& image) const {
+  const bool opaque = settings_.style.background.a == 255;
+  return compress_image(image, settings_.encoder, opaque ? PngChannels::rgb : PngChannels::rgba);
+}
+
+void FramePipeline::write_frame(const Drawn& frame) {
   for (AnimationWriter* film : outputs_.films) {
     if (frame.slot) {
-      film->add(image);
+      film->add(images_.at(*frame.slot));
     } else {
       film->repeat();
     }
   }
   if (!outputs_.take_png) return;
-  if (frame.slot) {
-    const bool opaque = settings_.style.background.a == 255;
-    compressed_ =
-        compress_image(image, settings_.encoder, opaque ? PngChannels::rgb : PngChannels::rgba);
-  }
   std::vector<std::uint8_t> texts = text_chunks(frame.texts);
   texts.insert(texts.end(), all_texts_.begin(), all_texts_.end());
   assemble_png(compressed_, texts, file_);

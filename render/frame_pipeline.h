@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -32,6 +33,7 @@ struct PipelineSettings {
   FrameOptions options;
   std::vector<PngText> texts;  ///< of every PNG; compressed once
   PngEncoder encoder = PngEncoder::run_length;
+  int encoding_threads = 2;  ///< that compress PNG; files are the same for any number
 };
 
 /// What is to be drawn, how it is looked at, and what its PNG says of it.
@@ -41,7 +43,7 @@ struct FrameJob {
   std::vector<PngText> texts;
 };
 
-/// Where frames go. Called from the encoding thread, in the order of the frames.
+/// Where frames go. Called from one thread at a time, in the order of the frames.
 struct PipelineOutputs {
   std::function<void(std::span<const std::uint8_t>)>
       take_png;  ///< a whole PNG file per frame; empty: none wanted
@@ -49,9 +51,9 @@ struct PipelineOutputs {
       films;  ///< outlive the pipeline; finishing them is left to their owner
 };
 
-/// The thread that adds frames simulates; a second one draws and a third one encodes and writes.
-/// Memory holds a few frames whatever their number. A frame that looks like the one before is
-/// neither drawn nor compressed again.
+/// The thread that adds frames simulates; a second one draws, and others compress different frames
+/// at a time and write them one after the other in their order. Memory holds a few frames whatever
+/// their number. A frame that looks like the one before is neither drawn nor compressed again.
 class FramePipeline {
  public:
   FramePipeline(PipelineSettings settings, PipelineOutputs outputs);
@@ -73,32 +75,42 @@ class FramePipeline {
 
  private:
   struct Drawn {
+    std::uint64_t number = 0;         ///< of the frame
     std::optional<std::size_t> slot;  ///< of the picture; nothing: as before
     std::vector<PngText> texts;
   };
 
   void draw_frames();
   void encode_frames();
-  void write_frame(const Drawn& frame, const Image& image);
+  CompressedImage compress(const Image& image) const;
+  void write_frame(const Drawn& frame);
+  void close_queues();
+  void join();
   void run_guarded(void (FramePipeline::*work)());
-  void stop();
   void rethrow_failure();
 
   PipelineSettings settings_;
   PipelineOutputs outputs_;
-  static constexpr std::size_t slots = 4;  ///< one being drawn, one being encoded, two waiting
+  static constexpr std::size_t slots = 4;  ///< one being drawn, two being compressed, one waiting
   std::array<Image, slots> images_;
   BoundedQueue<FrameJob> jobs_{4};
   BoundedQueue<Drawn> drawn_{slots};
   BoundedQueue<std::size_t> free_slots_{slots};
+
+  // Of the frame whose turn it is to be written.
+  std::mutex turn_mutex_;
+  std::condition_variable turn_changed_;
+  std::uint64_t turn_ = 0;
+  bool stopped_ = false;
   CompressedImage compressed_;           ///< the last picture
   std::vector<std::uint8_t> all_texts_;  ///< chunks of the texts of every PNG
   std::vector<std::uint8_t> file_;
+
   std::atomic<long> reused_ = 0;
   std::mutex failure_mutex_;
   std::exception_ptr failure_;
   std::thread drawing_;
-  std::thread encoding_;
+  std::vector<std::thread> encoding_;
 };
 
 }  // namespace wuerfel

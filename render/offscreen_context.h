@@ -19,10 +19,10 @@ namespace wuerfel {
 #define WUERFEL_GL_FUNCTIONS(X)                                                                        \
   X(AttachShader) X(BindBuffer) X(BindVertexArray) X(BlendFunc) X(BufferData) X(Clear) X(ClearColor)   \
   X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteProgram) X(DeleteShader)  \
-  X(DeleteVertexArrays) X(DrawArraysInstanced) X(Enable) X(EnableVertexAttribArray) X(Finish)          \
+  X(DeleteVertexArrays) X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish)          \
   X(GenBuffers) X(GenVertexArrays) X(GetError) X(GetProgramInfoLog) X(GetProgramiv)                    \
   X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(ShaderSource) \
-  X(Uniform2f) X(UseProgram) X(VertexAttribDivisor) X(VertexAttribPointer) X(Viewport)
+  X(Uniform1i) X(Uniform2f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
 struct GlFunctions {

@@ -10,6 +10,7 @@
 #include "render/font.h"
 #include "render/image.h"
 #include "render/offscreen_context.h"
+#include "render/shape_pipeline.h"
 
 namespace wuerfel {
 
@@ -34,13 +35,12 @@ class Renderer {
   const std::string& description() const { return context_.description(); }
 
  private:
-  /// Shader and vertex layout for one kind of shape, made when the first such shape is drawn.
-  class Pipeline;
-  Pipeline& pipeline(ShapeKind kind);
+  /// Made when the first shape of that kind is drawn.
+  ShapePipeline& pipeline(ShapeKind kind);
 
   OffscreenContext context_;
   Font font_;
-  std::array<std::unique_ptr<Pipeline>, 5> pipelines_;
+  std::array<std::unique_ptr<ShapePipeline>, 5> pipelines_;
 };
 
 }  // namespace wuerfel

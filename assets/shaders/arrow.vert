@@ -1,11 +1,12 @@
 #version 330 core
-// Two quads around an arrow, a narrow one for the shaft and a wide one for the head. Pixels, y down; the fragment
-// shader's y is up.
+// Two quads around an arrow, a narrow one for the shaft and a wide one for the head; or, where that costs less, one
+// around all of it. Pixels, y down; the fragment shader's y is up.
 layout(location = 0) in vec2 tail;
 layout(location = 1) in vec2 tip;
 layout(location = 2) in vec4 shape;  // half width, head length, head half width, grow
 layout(location = 3) in vec4 stroke;
 uniform vec2 picture;
+uniform bool whole;  // one quad
 flat out vec2 f_tail;
 flat out vec2 f_axis;
 flat out vec3 f_shaft;  // end of the shaft, its half width, both with half a pixel of coverage; half a pixel and growth
@@ -24,9 +25,9 @@ void main() {
   float grow = shape.w;
   // The grown head's corners run ahead of the head by up to 3.2 times the growth.
   float margin = 3.5 * grow + 1.0;
-  // Vertices 0..3: shaft, 3 and 4 repeat to change the width, 4..7: head.
-  bool in_head = gl_VertexID > 3;
-  float from = in_head ? base - margin : -grow - 1.0;
+  // Of two quads the first is around the shaft.
+  bool in_head = whole || (gl_VertexID & 4) != 0;
+  float from = whole ? -grow - 1.0 : in_head ? base - margin : -grow - 1.0;
   float to = in_head ? reach + margin : base - margin;
   float side = in_head ? max(shape.x, wing) + margin : shape.x + grow + 1.0;
   vec2 local = vec2((gl_VertexID & 2) == 0 ? min(from, to) : to, (gl_VertexID & 1) == 0 ? -side : side);

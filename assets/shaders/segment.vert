@@ -11,7 +11,7 @@ flat out vec3 f_shape;  // half length, half width, round
 flat out vec4 f_color;
 
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1) * 2.0 - 1.0;
   vec2 span = to - from;
   float reach = length(span);
   vec2 axis = reach > 0.0 ? span / reach : vec2(1.0, 0.0);

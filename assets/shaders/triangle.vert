@@ -20,7 +20,7 @@ vec3 line(vec2 from, vec2 to, float turn) {
 }
 
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1);
   vec2 low = min(a, min(b, c)) - 1.0;
   vec2 high = max(a, max(b, c)) + 1.0;
   vec2 pixel = mix(low, high, corner);
