@@ -55,8 +55,9 @@ void add_encoder(std::vector<std::string>& arguments,
   add_all(arguments, {"-threads", "4"});
   switch (format) {
     case FilmFormat::mp4:
-      add_all(arguments,
-              {"-c:v", "libx264", "-preset", "superfast", "-crf", "18", "-movflags", "+faststart"});
+      // Without frames that look ahead: a third less work for files a seventh larger.
+      add_all(arguments, {"-c:v", "libx264", "-preset", "superfast", "-bf", "0", "-crf", "18",
+                          "-movflags", "+faststart"});
       break;
     case FilmFormat::webm:
       add_all(arguments, {"-c:v", "libvpx-vp9", "-deadline", "realtime", "-cpu-used", "8", "-crf",

@@ -1,6 +1,7 @@
 #include "render/yuv.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace wuerfel {
 namespace {
@@ -55,14 +56,30 @@ void append_yuv420(const Image& image, std::vector<std::uint8_t>& planes) {
   std::uint8_t* u = luma + width * height;
   std::uint8_t* v = u + width * height / 4;
   const int last = image.height() - 1;
+  const auto row_bytes = 4 * static_cast<std::size_t>(image.width());
+  // Most rows of a picture of flat shapes equal the one above.
+  const auto equals_above = [&](int y) {
+    return y > 0 && std::memcmp(image.row(y), image.row(y - 1), row_bytes) == 0;
+  };
+  int equal_rows = 0;  // that end above the row at hand, which equals them too
   for (int y = 0; y < height; ++y) {
     std::uint8_t* row = luma + y * width;
-    luma_row(image.row(std::min(y, last)), image.width(), row);
-    if (width > image.width()) row[width - 1] = row[width - 2];
-  }
-  for (int y = 0; y < height; y += 2) {
-    chroma_row(image.row(y), image.row(std::min(y + 1, last)), image.width(),
-               u + y / 2 * (width / 2), v + y / 2 * (width / 2));
+    equal_rows = y > last || equals_above(y) ? equal_rows + 1 : 0;
+    if (equal_rows > 0) {
+      std::copy_n(row - width, width, row);
+    } else {
+      luma_row(image.row(y), image.width(), row);
+      if (width > image.width()) row[width - 1] = row[width - 2];
+    }
+    if (y % 2 == 0) continue;
+    const std::ptrdiff_t chroma = y / 2 * (width / 2);
+    if (equal_rows >= 3) {
+      std::copy_n(u + chroma - width / 2, width / 2, u + chroma);
+      std::copy_n(v + chroma - width / 2, width / 2, v + chroma);
+    } else {
+      chroma_row(image.row(y - 1), image.row(std::min(y, last)), image.width(), u + chroma,
+                 v + chroma);
+    }
   }
 }
 

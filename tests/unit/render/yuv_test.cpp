@@ -51,6 +51,37 @@ TEST(Yuv, GreyHasNoColour) {
   }
 }
 
+TEST(Yuv, RowsThatRepeatAreConvertedLikeAnyOther) {
+  // Groups of 1 to 6 equal rows, so that they begin at even and at odd ones.
+  constexpr int width = 4;
+  constexpr int height = 42;
+  Image image(width, height);
+  for (int y = 0, group = 0, left = 0; y < height; ++y, --left) {
+    if (left == 0) left = 1 + ++group % 6;
+    for (int x = 0; x < width; ++x)
+      image.set(x, y, rgb(static_cast<std::uint32_t>(group * 0x1A2B3C + x * 0x410203)));
+  }
+  std::vector<std::uint8_t> planes;
+  append_yuv420(image, planes);
+  for (int y = 0; y < height; y += 2) {
+    Image two(width, 2);
+    paste(image, 0, -y, two);
+    std::vector<std::uint8_t> expected;
+    append_yuv420(two, expected);
+    const auto part = [&planes](std::size_t from, std::size_t count) {
+      const auto begin = planes.begin() + static_cast<std::ptrdiff_t>(from);
+      return std::vector<std::uint8_t>(begin, begin + static_cast<std::ptrdiff_t>(count));
+    };
+    const auto row = static_cast<std::size_t>(y);
+    std::vector<std::uint8_t> actual = part(width * row, 2 * width);
+    for (const std::size_t plane : {width * height, width * height * 5 / 4}) {
+      const auto chroma = part(plane + row / 2 * (width / 2), width / 2);
+      actual.insert(actual.end(), chroma.begin(), chroma.end());
+    }
+    EXPECT_EQ(actual, expected) << y;
+  }
+}
+
 TEST(Yuv, OddSizesRepeatTheLastRowAndColumn) {
   Image image(3, 3, rgb(0x000000));
   for (int i = 0; i < 3; ++i) {
