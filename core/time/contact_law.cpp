@@ -8,8 +8,6 @@ namespace {
 
 /// Rest is certified where the acceleration is below this share of g (design, "Verdict").
 constexpr double rest_acceleration = 1e-10;
-/// Speeds below this share of V are snapped to zero where rest can then be certified.
-constexpr double rest_speed = 1e-9;
 /// A contact was hit where its impulse exceeds this share of the island's largest.
 constexpr double hit_share = 1e-9;
 /// Overlap deeper than this share of the smaller side is removed.
@@ -50,12 +48,13 @@ ContactLaw::ContactLaw(const System& system, const MotionSettings& settings)
     : system_(&system), dynamics_(system, settings) {}
 
 void ContactLaw::apply(
-    State& state, double t, double touching, Closure& closure, Bookkeeping& book) {
+    State& state, double t, const ContactLimits& limits, Closure& closure, Bookkeeping& book) {
+  limits_ = limits;
   scales_ = scales_of(*system_, state);
   closure.resting.resize(state.size(), 0);
   const std::vector<Contact> before = std::move(closure.closed);
   closure.closed.clear();
-  finder_.find(*system_, state, contacts_, touching);
+  finder_.find(*system_, state, contacts_, limits.touching);
   book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
   find_islands(*system_, contacts_, islands_);
   const std::size_t first_event = book.events.size();
@@ -117,7 +116,7 @@ void ContactLaw::separate(Island& island, State& state, Bookkeeping& book) {
   if (!overlaps) return;
   use_.assign(island.contacts.size(), SideUse::inequality);
   const IslandSolution solution = dynamics_.correction(state, island, use_);
-  keep_book(solution, book);
+  ++book.cost.qp_solves;
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
     BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
     s.position += solution.twists[k].linear;
@@ -152,7 +151,7 @@ bool ContactLaw::comes_to_rest(const Island& island, State& state, Bookkeeping& 
     BodyState& s = state[static_cast<std::size_t>(cube)];
     const double speed =
         s.velocity.norm() + 0.5 * system_->body(cube).size.norm() * std::abs(s.spin);
-    if (speed > rest_speed * scales_.speed) return false;
+    if (speed > limits_.rest_speed * scales_.speed) return false;
     moving.push_back(s);
   }
   for (const int cube : island.cubes) {

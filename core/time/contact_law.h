@@ -15,6 +15,12 @@ struct Closure {
   std::vector<char> resting;    ///< per cube: certified, v = 0 and a = 0
 };
 
+/// What counts as touching and as still when the law is applied.
+struct ContactLimits {
+  double touching = 1e-10;   ///< share of the smaller side up to which bodies touch
+  double rest_speed = 1e-9;  ///< share of V below which cubes rest where their forces balance
+};
+
 /// Moreau's impact over all touching contacts of an island at once, then Gauss' principle for the
 /// contacts that do not open. Where a force and the gap's acceleration both vanish (the instant of
 /// a release), the program is asked again a moment later, where one of them has a sign.
@@ -23,9 +29,9 @@ class ContactLaw {
   ContactLaw(const System& system, const MotionSettings& settings);
 
   /// Changes velocities (impacts) and, by rounding, positions (overlap). `closure` is that of the
-  /// phase that ends, and becomes that of the phase that begins. `touching` is the share of the
-  /// smaller side up to which bodies touch.
-  void apply(State& state, double t, double touching, Closure& closure, Bookkeeping& book);
+  /// phase that ends, and becomes that of the phase that begins.
+  void apply(
+      State& state, double t, const ContactLimits& limits, Closure& closure, Bookkeeping& book);
 
  private:
   void apply_island(Island& island, State& state, double t, Closure& closure, Bookkeeping& book);
@@ -52,6 +58,7 @@ class ContactLaw {
   IslandDynamics dynamics_;
   ContactFinder finder_;
   Scales scales_;
+  ContactLimits limits_;
   std::vector<Contact> contacts_;
   std::vector<Island> islands_;
   std::vector<SideUse> use_;

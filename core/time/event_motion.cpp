@@ -8,7 +8,7 @@ namespace {
 
 /// Smooth phases are integrated to this share of the tolerance that the user asked for.
 constexpr double inner_share = 0.01;
-/// Bodies within this share of the smaller side touch at an event.
+/// Overlaps of flush sides shorter than this share of a side have one end.
 constexpr double touching_share = 1e-10;
 /// A force that starts below this share of the weight is watched from where it has left zero.
 constexpr double zero_force = 1e-11;
@@ -96,8 +96,11 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       search_(system),
       openings_(system, settings) {}
 
-void EventMotion::start(
-    const State& state, double t, double touching, std::vector<char> resting, Bookkeeping& book) {
+void EventMotion::start(const State& state,
+                        double t,
+                        const ContactLimits& limits,
+                        std::vector<char> resting,
+                        Bookkeeping& book) {
   state_ = state;
   scratch_ = state;
   clock_ = t;
@@ -106,16 +109,16 @@ void EventMotion::start(
   instant_events_ = 0;
   closure_.closed.clear();
   closure_.resting = std::move(resting);
-  begin_phase(touching, book);
+  begin_phase(limits, book);
 }
 
 bool EventMotion::at_rest() const {
   return std::ranges::all_of(closure_.resting, [](char r) { return r != 0; });
 }
 
-void EventMotion::begin_phase(double touching, Bookkeeping& book) {
+void EventMotion::begin_phase(const ContactLimits& limits, Bookkeeping& book) {
   closure_.closed = closed_.contacts();
-  law_.apply(state_, clock_, touching, closure_, book);
+  law_.apply(state_, clock_, limits, closure_, book);
   closed_.close(closure_.closed, closure_.resting);
   closed_.project_positions(state_);
   closed_.project_velocities(state_);
@@ -471,7 +474,7 @@ void EventMotion::finish(double elapsed, bool event, Bookkeeping& book) {
   if (event) {
     ++events_;
     instant_events_ = elapsed <= instant_share * scales_.time ? instant_events_ + 1 : 0;
-    begin_phase(touching_share, book);
+    begin_phase({}, book);
     return;
   }
   instant_events_ = 0;

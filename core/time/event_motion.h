@@ -29,10 +29,13 @@ class EventMotion final : private VectorField {
  public:
   EventMotion(const System& system, const MotionSettings& settings);
 
-  /// The motion goes on from `state` at time t. What overlaps or gapes by `touching` of the smaller
-  /// side touches; impacts that are due happen at once. `resting`: cubes known to be at rest.
-  void start(
-      const State& state, double t, double touching, std::vector<char> resting, Bookkeeping& book);
+  /// The motion goes on from `state` at time t; impacts that are due happen at once. `resting`:
+  /// cubes known to be at rest.
+  void start(const State& state,
+             double t,
+             const ContactLimits& limits,
+             std::vector<char> resting,
+             Bookkeeping& book);
 
   /// Time up to which the motion is known; infinite where all is at rest.
   [[nodiscard]] double clock() const { return clock_; }
@@ -59,7 +62,7 @@ class EventMotion final : private VectorField {
   };
 
   void operator()(const std::vector<double>& y, std::vector<double>& rate) override;
-  void begin_phase(double touching, Bookkeeping& book);
+  void begin_phase(const ContactLimits& limits, Bookkeeping& book);
   void find_holds();
   [[nodiscard]] std::array<double, 2> hold_forces(const Hold& hold) const;
   [[nodiscard]] double smallest(const std::vector<Hold>& holds) const;

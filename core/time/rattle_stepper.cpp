@@ -10,14 +10,16 @@ namespace wuerfel {
 namespace {
 
 // Shares of the smaller side of a pair.
-constexpr double near_share = 1e-2;      ///< nearer pairs are candidates
-constexpr double overlap_share = 1e-10;  ///< overlap that is left
-constexpr double touching_share = 1e-8;  ///< nearer contacts take part in the velocity program
-constexpr double pressed_share = 1e-3;   ///< those that were pressed do within this distance
-constexpr double closable_share = 1e-5;  ///< gaps of pressed contacts that may be closed
+constexpr double near_share = 1e-2;       ///< nearer pairs are candidates
+constexpr double overlap_share = 1e-10;   ///< overlap that is left
+constexpr double touching_share = 1e-8;   ///< nearer contacts take part in the velocity program
+constexpr double pressed_share = 1e-3;    ///< those that were pressed do within this distance
+constexpr double closable_share = 1e-4;   ///< gaps of pressed contacts that may be closed
+constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
 constexpr double fast_share = 0.25;  ///< pairs that move by more are candidates when near at no end
 constexpr int placements = 2;
 constexpr int most_clean_ups = 8;
+constexpr int closings = 4;
 constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
 /// Closing speeds beyond this many g h are impacts, not the load of a step.
 constexpr double impact_steps = 3.0;
@@ -36,7 +38,7 @@ State displacement_of(const State& from, const State& to) {
 }  // namespace
 
 RattleStepper::RattleStepper(const System& system, const MotionSettings& settings)
-    : system_(&system), dynamics_(system, settings) {}
+    : system_(&system), dynamics_(system, settings), closed_(system) {}
 
 double RattleStepper::longest_step(const State& state) const {
   double fastest = 0.0;
@@ -231,10 +233,12 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
           && (now.gap >= 0.0 || overlaps(end_boxes_, now)))
         contacts_.push_back(now);
     }
+    // Another corner than the one that was nearest at the start may have got in.
     for (const Contact& c : found) {
-      if (system_->body(c.from).kind != BodyKind::plane) continue;
-      const bool known =
-          std::ranges::any_of(contacts_, [&](const Contact& d) { return d.id() == c.id(); });
+      const bool known = std::ranges::any_of(contacts_, [&](const Contact& d) {
+        return std::minmax(d.on, d.from) == std::minmax(c.on, c.from)
+               && (d.id() == c.id() || overlaps(end_boxes_, d));
+      });
       if (!known) contacts_.push_back(c);
     }
     find_islands(*system_, contacts_, islands_);
@@ -243,8 +247,9 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
           island.contacts, [&](const Contact& c) { return overlaps(end_boxes_, c); });
       if (!off) continue;
       use_.assign(island.contacts.size(), SideUse::inequality);
+      // Judged by the overlap that it leaves, which is measured.
       const IslandSolution solution = dynamics_.correction(state, island, use_);
-      keep_book(solution, book);
+      ++book.cost.qp_solves;
       for (std::size_t m = 0; m < island.cubes.size(); ++m) {
         BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
         s.position += solution.twists[m].linear;
@@ -303,7 +308,7 @@ void RattleStepper::log_hits(const Island& island,
   }
 }
 
-void RattleStepper::close_gaps(State& state, Bookkeeping& book) {
+void RattleStepper::close_gaps(State& state) {
   pose_boxes(*system_, state, end_boxes_);
   contacts_.clear();
   for (const Pressed& p : pressed_) {
@@ -313,21 +318,17 @@ void RattleStepper::close_gaps(State& state, Bookkeeping& book) {
     if (on_side && std::abs(now.gap) < closable_share * contact_scale(*system_, now))
       contacts_.push_back(now);
   }
-  find_islands(*system_, contacts_, islands_);
-  for (const Island& island : islands_) {
-    use_.assign(island.contacts.size(), SideUse::equality);
-    const IslandSolution solution = dynamics_.correction(state, island, use_);
-    keep_book(solution, book);
-    if (solution.status != QpStatus::optimal) {
-      --book.audit.missed_solves;
-      continue;
-    }
-    for (std::size_t m = 0; m < island.cubes.size(); ++m) {
-      BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
-      s.position += solution.twists[m].linear;
-      s.angle += solution.twists[m].angular;
-    }
-  }
+  closed_.close(contacts_, {});
+  State next = state;
+  for (int k = 0; k < closings; ++k)
+    closed_.project_positions(next);
+  finder_.find(*system_, next, contacts_, 0.0);
+  const bool apart = finder_.deepest().depth <= closed_overlap * finder_.deepest().scale;
+  const bool closed = std::ranges::all_of(closed_.contacts(), [&](const Contact& c) {
+    return std::abs(at_poses(*system_, finder_.boxes(), c).gap)
+           <= closed_overlap * contact_scale(*system_, c);
+  });
+  if (apart && closed) state = std::move(next);
 }
 
 }  // namespace wuerfel

@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "core/dynamics/closed_contacts.h"
 #include "core/dynamics/gauss.h"
 #include "core/time/bookkeeping.h"
 #include "core/time/scales.h"
@@ -32,7 +33,7 @@ class RattleStepper {
 
   /// Closes gaps of contacts that carried load in the last step, so that what leans on each other
   /// touches. Leaves the state as it is where that is not possible.
-  void close_gaps(State& state, Bookkeeping& book);
+  void close_gaps(State& state);
 
  private:
   struct Pressed {
@@ -56,6 +57,7 @@ class RattleStepper {
 
   const System* system_;
   IslandDynamics dynamics_;
+  ClosedContacts closed_;
   ContactFinder finder_;
   BroadPhase broad_phase_;
   Scales scales_;

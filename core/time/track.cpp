@@ -9,7 +9,8 @@ namespace {
 
 /// Frames per L / V, events per frame that are too many, and the longest stepping.
 constexpr double frames_per_time = 20.0;
-constexpr long most_events = 20;
+constexpr long most_events = 40;
+constexpr long most_events_again = 5;  ///< where stepping was needed not long ago
 constexpr int most_patience = 32;
 /// Steps per frame where the user did not choose them.
 constexpr double steps_per_frame = 2.0;
@@ -21,8 +22,8 @@ constexpr double shortest_share = 1.0 / 16.0;
 constexpr double same_time = 1e-12;
 /// Touching after stepping: gaps of contacts under load have been closed to rounding.
 constexpr double touching_share = 1e-9;
-/// Touching as the events see it.
-constexpr double rounding_share = 1e-10;
+/// Share of V below which a group that was stepped is at rest where its forces balance.
+constexpr double rest_speed = 1e-4;
 constexpr int looks_per_piece = 4;
 
 }  // namespace
@@ -45,7 +46,9 @@ void Track::start(const State& state,
   handed_back_ = t;
   frame_events_ = 0;
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
-  events_.start(state, t, std::max(touching, rounding_share), std::move(resting), book_);
+  ContactLimits limits;
+  limits.touching = std::max(touching, limits.touching);
+  events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
   stepping_ = false;
   const bool always = settings_.integrator == Integrator::rattle;
@@ -88,7 +91,7 @@ void Track::count_events() {
   }
   frame_events_ += events_.events() - last_events_;
   last_events_ = events_.events();
-  if (frame_events_ > most_events) hand_over();
+  if (frame_events_ > (patience_ > 1 ? most_events_again : most_events)) hand_over();
 }
 
 void Track::hand_over() {
@@ -139,12 +142,12 @@ void Track::step(double limit) {
 }
 
 void Track::hand_back() {
-  stepper_.close_gaps(state_, book_);
+  stepper_.close_gaps(state_);
   handed_back_ = clock_;
   last_events_ = 0;
   frame_events_ = 0;
   stepping_ = false;
-  events_.start(state_, clock_, touching_share, {}, book_);
+  events_.start(state_, clock_, {touching_share, rest_speed}, {}, book_);
 }
 
 State Track::at(double t) {
