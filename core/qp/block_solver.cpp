@@ -17,12 +17,20 @@ constexpr double most_wrong_guesses =
     0.2;  ///< part of the rows above which the other method takes over
 constexpr double most_wrong_guesses_of_large = 0.02;
 constexpr int patient_newton_factorisations = 400;  ///< where there is no other method
+constexpr int patience = 30;                        ///< likewise
 constexpr int retry_newton_after = 32;
 constexpr double worth_settling = 1e-4;
 constexpr double settling_weight = 1e9;  ///< of tight rows, in units of 1 / |g|^2
 /// One after the other: small ones fail less often on jammed walls of very different masses, more
 /// often elsewhere.
 constexpr std::array proximal_terms{1e-14, 1e-15, 1e-16};
+
+void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
+  for (std::size_t b = 0; b < y.size(); ++b) {
+    for (int c = 0; c < 3; ++c)
+      y[b].v[c] += factor * d[b].v[c];
+  }
+}
 
 }  // namespace
 
@@ -76,7 +84,9 @@ void BlockSolver::run(const QuadraticProgram& program,
                       const ResidualScales& scales,
                       QpResult& result) {
   if (method_ == QpMethod::newton) {
-    run_newton(program, scales, {.most_factorisations = patient_newton_factorisations}, result);
+    run_newton(program, scales,
+               {.most_factorisations = patient_newton_factorisations, .patience = patience},
+               result);
     return;
   }
   if (method_ == QpMethod::automatic && newton_is_due()) {
@@ -143,33 +153,45 @@ void BlockSolver::run_interior_point(const QuadraticProgram& program,
     if (attempt(false, proximal)) return;
 }
 
-/// Moves the point onto the rows that carry force, leaving the multipliers. Between bodies of very
-/// different mass y = G' lambda is the small difference of large forces and misses the rows by
-/// their rounding; the other way round the forces hardly notice.
+/// Moves the point onto the rows that carry force, and the multipliers along. Between bodies of
+/// very different mass y = G' lambda is the small difference of large forces and misses the rows by
+/// their rounding; apart from each other both are exact.
 QpResidual BlockSolver::settle(const QuadraticProgram& program,
                                const ResidualScales& scales,
-                               const std::vector<double>& multiplier,
+                               std::vector<double>& multiplier,
                                const QpResidual& before,
                                int& factorisations) {
   weight_tight_rows(scales, multiplier);
   problem_.factorise(weight_.data());
   ++factorisations;
   d_.resize(y_.size());
-  for (int round = 0; round < 2; ++round) {
+  for (std::size_t i = 0; i < rest_.size(); ++i)
+    rest_[i] = problem_.h()[i] - rest_[i];
+  moved_ = multiplier;
+  unbalance_.assign(y_.size(), Quad{});
+  for (int round = 0; round < 3; ++round) {
     for (std::size_t i = 0; i < rest_.size(); ++i)
-      rest_[i] = weight_[i] * (problem_.h()[i] - rest_[i]);
-    problem_.apply_transposed(rest_.data(), d_.data());
+      change_[i] = weight_[i] * rest_[i];
+    problem_.apply_transposed(change_.data(), d_.data());
+    add(1.0, unbalance_, d_);
     problem_.solve(d_.data());
-    for (std::size_t b = 0; b < y_.size(); ++b) {
-      for (int c = 0; c < 3; ++c)
-        y_[b].v[c] += d_[b].v[c];
+    problem_.apply(d_.data(), change_.data());
+    add(1.0, d_, y_);
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      const double lambda = moved_[i] + weight_[i] * (rest_[i] - change_[i]);
+      rest_[i] -= change_[i];
+      moved_[i] = std::min(std::max(lambda, problem_.force_min()[i]), problem_.force_max()[i]);
     }
-    problem_.apply(y_.data(), rest_.data());
+    problem_.apply_transposed(moved_.data(), unbalance_.data());
+    add(-1.0, y_, unbalance_);
   }
   former_x_.swap(x_);
   problem_.read(program, y_, x_);
-  const QpResidual after = meter_.measure(program, x_, multiplier);
-  if (after.worst() < before.worst()) return after;
+  const QpResidual after = meter_.measure(program, x_, moved_);
+  if (after.worst() < before.worst()) {
+    multiplier.swap(moved_);
+    return after;
+  }
   x_.swap(former_x_);
   return before;
 }
@@ -180,6 +202,7 @@ void BlockSolver::weight_tight_rows(const ResidualScales& scales,
   const auto rows = static_cast<std::size_t>(problem_.rows());
   weight_.resize(rows);
   rest_.resize(rows);
+  change_.resize(rows);
   y_.resize(static_cast<std::size_t>(problem_.blocks()));
   double force = scales.weight;
   for (std::size_t i = 0; i < rows; ++i)
@@ -213,13 +236,14 @@ bool BlockSolver::take(const QuadraticProgram& program,
     return true;
   }
   problem_.read(program, y, x_);
-  QpResidual residual = meter_.measure(program, x_, multiplier);
+  multiplier_ = multiplier;
+  QpResidual residual = meter_.measure(program, x_, multiplier_);
   if (residual.worst() < worth_settling && residual.worst() > enough)
-    residual = settle(program, scales, multiplier, residual, result.iterations);
+    residual = settle(program, scales, multiplier_, residual, result.iterations);
   if (residual.worst() < result.residual.worst()) {
     result.residual = residual;
     result.x = x_;
-    result.multiplier = multiplier;
+    result.multiplier = multiplier_;
   }
   return residual.worst() <= settings_.tolerance;
 }

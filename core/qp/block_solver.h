@@ -36,7 +36,7 @@ class BlockSolver final : public QpSolver {
   [[nodiscard]] double goal() const;
   QpResidual settle(const QuadraticProgram& program,
                     const ResidualScales& scales,
-                    const std::vector<double>& multiplier,
+                    std::vector<double>& multiplier,
                     const QpResidual& before,
                     int& factorisations);
   void weight_tight_rows(const ResidualScales& scales, const std::vector<double>& multiplier);
@@ -64,8 +64,8 @@ class BlockSolver final : public QpSolver {
   // Of the interior point runs last made.
   int warm_factorisations_ = 0;
   int cold_factorisations_ = 0;
-  std::vector<double> x_, former_x_, weight_, rest_;
-  std::vector<Quad> y_, d_;
+  std::vector<double> x_, former_x_, multiplier_, moved_, weight_, rest_, change_;
+  std::vector<Quad> y_, d_, unbalance_;
 };
 
 }  // namespace wuerfel

@@ -11,7 +11,8 @@ constexpr double first_rho = 1e6;    ///< in units of 1 / |g|^2
 constexpr double last_rho = 1e9;     ///< beyond it the dead zone would be too wide
 constexpr double dead_zone = 1e-14;  ///< times rho max|h|
 constexpr double hard_share = 0.02;
-constexpr int most_outer_steps = 60;
+constexpr int most_outer_steps = 100;
+constexpr double drifting = 0.5;  ///< the residual after an outer step, in parts of that before
 
 double dot(const std::vector<Quad>& a, const std::vector<Quad>& b) {
   double sum = 0.0;
@@ -46,15 +47,18 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
   for (int outer = 0; outer < most_outer_steps && minimise(problem, effort); ++outer) {
     force_ = lambda_;
     update_multipliers(problem);
-    const double worst = worst_row(problem, scales, rest_, lambda_);
-    lost = worst > 0.5 * outcome.worst && rho_ >= largest_rho_ ? lost + 1 : 0;
+    double worst = worst_row(problem, scales, rest_, lambda_);
+    const bool prolonged = worst > drifting * former && rho_ >= largest_rho_ && prolong(problem);
+    if (prolonged) worst = worst_row(problem, scales, rest_, lambda_);
+    lost = worst > 0.5 * outcome.worst && rho_ >= largest_rho_ && !prolonged ? lost + 1 : 0;
     if (worst < outcome.worst) {
       outcome.worst = worst;
       best_ = lambda_;
     }
     // Where the sides were hard to find the program is nearly degenerate and x is less exact than
     // its residual.
-    if (worst <= (factorisations_ <= 2 ? goal : hard_share * goal) || lost >= 3) break;
+    if (worst <= (factorisations_ <= 2 ? goal : hard_share * goal) || lost >= effort.patience)
+      break;
     const bool slow = worst > 0.1 * former;
     former = worst;
     if (outer >= 2 && slow && diverges(problem)) {
@@ -77,6 +81,34 @@ bool NewtonMethod::minimise(LeastDistance& problem, const NewtonEffort& effort) 
   most_first_changes_ = effort.most_changes * static_cast<double>(raw_.size());
   while (!inner_step(problem))
     if (hopeless_ || factorisations_ >= effort.most_factorisations) return false;
+  return true;
+}
+
+/// Nearly dependent rows that contradict each other a little move their multipliers by the same
+/// little change in every outer step. Goes on along that change, with the former multipliers in
+/// `force_`, to where the dual objective is largest or a multiplier comes to its bound.
+bool NewtonMethod::prolong(const LeastDistance& problem) {
+  double slope = 0.0;
+  double longest = unbounded;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    const double change = lambda_[i] - force_[i];
+    raw_[i] = change;
+    if (change == 0.0) continue;
+    slope += change * rest_[i];
+    const double bound = change > 0.0 ? problem.force_max()[i] : problem.force_min()[i];
+    longest = std::min(longest, (bound - lambda_[i]) / change);
+  }
+  problem.apply_transposed(raw_.data(), d_.data());
+  const double curvature = dot(d_, d_);
+  if (slope <= 0.0) return false;
+  const double step = curvature * longest > slope ? slope / curvature : longest;
+  if (step < 1.0 || step == unbounded) return false;
+  for (std::size_t i = 0; i < lambda_.size(); ++i) {
+    lambda_[i] = std::min(std::max(lambda_[i] + step * raw_[i], problem.force_min()[i]),
+                          problem.force_max()[i]);
+  }
+  problem.apply_transposed(lambda_.data(), y_.data());
+  find_rest(problem);
   return true;
 }
 
@@ -113,7 +145,7 @@ bool NewtonMethod::least_norm(LeastDistance& problem,
   problem.apply(d_.data(), rest_.data());
   y_ = target;
   add(-1.0, d_, y_);
-  if (!minimise(problem, {most_factorisations, 1.0})) return false;
+  if (!minimise(problem, {.most_factorisations = most_factorisations})) return false;
   best_ = force_;
   problem.apply_transposed(best_.data(), y_.data());
   return true;

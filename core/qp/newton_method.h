@@ -27,6 +27,7 @@ namespace wuerfel {
 /// When to give up.
 struct NewtonEffort {
   int most_factorisations = 20;
+  int patience = 3;  ///< outer steps in a row that halve nothing
   double most_changes =
       1.0;  ///< part of the rows that the first step may move to another side than guessed
 };
@@ -67,6 +68,7 @@ class NewtonMethod {
   void update_multipliers(const LeastDistance& problem);
   void find_rest(const LeastDistance& problem);
   bool minimise(LeastDistance& problem, const NewtonEffort& effort);
+  bool prolong(const LeastDistance& problem);
   bool diverges(const LeastDistance& problem);
   bool inner_step(LeastDistance& problem);
   double line_search(const LeastDistance& problem, double slope);

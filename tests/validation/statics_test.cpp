@@ -75,6 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
     Statics,
     testing::Combine(testing::ValuesIn(reference_case_names("qp_geometry")),
                      testing::Values(Way{Formulation::rigid, QpMethod::automatic},
+                                     Way{Formulation::rigid, QpMethod::newton},
+                                     Way{Formulation::rigid, QpMethod::interior_point},
                                      Way{Formulation::rigid, QpMethod::ipopt},
                                      Way{Formulation::points, QpMethod::automatic},
                                      Way{Formulation::points, QpMethod::ipopt})),

@@ -66,6 +66,24 @@ TEST_P(Zoo, IsSolvedByBothMethodsAlike) {
 
 INSTANTIATE_TEST_SUITE_P(Hundreds, Zoo, testing::Range(0, 10));
 
+TEST(Zoo, IsSolvedByNewtonAloneUnlessJammedMassesDiffer) {
+  const auto newton = make_qp_solver(QpMethod::newton);
+  QpResult result;
+  int missed = 0;
+  for (int index = 0; index < 1000; ++index) {
+    const ZooProgram zoo = test::random_program(index);
+    newton->forget();
+    newton->solve(zoo.program, result);
+    if (result.status == QpStatus::optimal) continue;
+    ++missed;
+    EXPECT_EQ(result.status, QpStatus::inaccurate);
+    EXPECT_NE(zoo.name.find("_perturbed"), std::string::npos) << index << ' ' << zoo.name;
+    EXPECT_NE(zoo.name.find("_masses"), std::string::npos) << index << ' ' << zoo.name;
+    EXPECT_LE(result.residual.worst(), 1e-8) << index << ' ' << zoo.name;
+  }
+  EXPECT_LE(missed, 10);
+}
+
 TEST(Zoo, IsSolvedByIpoptAlike) {
   const auto automatic = make_qp_solver(QpMethod::automatic);
   const auto ipopt = make_qp_solver(QpMethod::ipopt);
