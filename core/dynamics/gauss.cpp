@@ -10,6 +10,12 @@ namespace {
 /// A former answer is taken if its residual is below this: what a new solve would reach as well.
 constexpr double certificate_tolerance = 1e-12;
 
+/// What a guess of the pressing contacts must reach to be taken.
+constexpr double guess_tolerance = 1e-11;
+
+/// Contacts press with more than this share of the largest force.
+constexpr double pressing_share = 1e-9;
+
 /// Row times x less its bound.
 double slack(const QuadraticProgram& program, std::size_t row, const std::vector<double>& x) {
   double sum = -program.bound[row];
@@ -39,17 +45,46 @@ bool IslandDynamics::still_passes(Memory& memory) const {
   return true;
 }
 
+/// Contacts that pressed last time press again, mostly.
+bool IslandDynamics::guess(const Island& island, Memory& memory) {
+  if (!settings_.skips.warm_start || settings_.solver != QpMethod::automatic
+      || settings_.formulation != Formulation::rigid || memory.pressing.empty())
+    return false;
+  tight_.clear();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (use_[k] == SideUse::none) continue;
+    tight_.push_back(std::ranges::binary_search(memory.pressing, island.contacts[k].id()) ? 1 : 0);
+  }
+  return guess_.solve(builder_.program(), guess_tolerance, tight_, memory.result);
+}
+
+void IslandDynamics::remember_pressing(const Island& island, Memory& memory) const {
+  memory.pressing.clear();
+  if (static_cast<int>(memory.result.multiplier.size()) != builder_.program().rows()) return;
+  auto row = static_cast<std::size_t>(builder_.first_contact_row());
+  double largest = 0.0;
+  for (const double force : memory.result.multiplier)
+    largest = std::max(largest, force);
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (use_[k] == SideUse::none) continue;
+    if (memory.result.multiplier[row++] > pressing_share * largest)
+      memory.pressing.push_back(island.contacts[k].id());
+  }
+  std::ranges::sort(memory.pressing);
+}
+
 IslandSolution IslandDynamics::solve(const State& state, const Island& island, Memories& memories) {
   const QuadraticProgram& program = builder_.program();
   // Ipopt remembers nothing but is expensive to make: one for all.
   Memory& memory = memories[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
   IslandSolution solution;
   solution.skipped = still_passes(memory);
-  if (!solution.skipped) {
+  if (!solution.skipped && !guess(island, memory)) {
     if (!memory.solver) memory.solver = make_qp_solver(settings_.solver);
     if (!settings_.skips.warm_start) memory.solver->forget();
     memory.solver->solve(program, memory.result);
   }
+  if (!solution.skipped) remember_pressing(island, memory);
   const QpResult& result = memory.result;
   solution.status = result.status;
   solution.residual = result.residual.worst();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/dynamics/programs.h"
+#include "core/qp/active_set_guess.h"
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
@@ -51,15 +52,20 @@ class IslandDynamics {
   struct Memory {
     std::unique_ptr<QpSolver> solver;
     QpResult result;
+    std::vector<ContactId> pressing;  ///< contacts with a force, sorted
   };
   using Memories = std::map<int, Memory>;
 
   IslandSolution solve(const State& state, const Island& island, Memories& memories);
   [[nodiscard]] bool still_passes(Memory& memory) const;
+  bool guess(const Island& island, Memory& memory);
+  void remember_pressing(const Island& island, Memory& memory) const;
 
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
+  ActiveSetGuess guess_;
+  std::vector<char> tight_;
   std::vector<SideUse> use_;
   Memories accelerations_;
   Memories impacts_;

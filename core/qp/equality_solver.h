@@ -29,13 +29,14 @@ class EqualitySolver {
   [[nodiscard]] int dependent_rows() const { return dependent_; }
 
  private:
-  /// Two entries on one block, of rows i >= j.
+  /// Two entries on one block, of the rows at places i >= j of the order.
   struct Coupling {
     int i = 0;
     int j = 0;
     int entry_i = 0;
     int entry_j = 0;
   };
+  void find_order(const std::vector<std::vector<int>>& rows_of_block);
   void find_envelope(const QuadraticProgram& program);
   void substitute(std::vector<double>& r) const;
   [[nodiscard]] double& at(int i, int j) {
@@ -47,10 +48,10 @@ class EqualitySolver {
 
   std::vector<int> row_start_;  ///< of the program that the envelope belongs to
   std::vector<int> entry_block_;
+  std::vector<int> order_;  ///< rows in the order of elimination
   std::vector<Coupling> couplings_;
-  std::vector<int> first_;  ///< first column of row i within the envelope
-  std::vector<int>
-      start_;  ///< place of column 0 of row i (which may lie before the row) in factor_
+  std::vector<int> first_;  ///< first column within the envelope of the row at place i
+  std::vector<int> start_;  ///< where column 0 of that row is, or would be, in factor_
   std::vector<double> factor_;
   std::vector<double> inverse_;  ///< 1 / diagonal; 0 for a row that is left out
   std::vector<double> residual_;

@@ -18,8 +18,8 @@ constexpr double closable_share = 1e-4;   ///< gaps of pressed contacts that may
 constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
 constexpr double fast_share = 0.25;  ///< pairs that move by more are candidates when near at no end
 constexpr int placements = 2;
-constexpr int most_clean_ups = 8;
-constexpr int closings = 4;
+constexpr int most_clean_ups = 11;
+constexpr int closings = 3;
 constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
 /// Closing speeds beyond this many g h are impacts, not the load of a step.
 constexpr double impact_steps = 3.0;
@@ -209,6 +209,23 @@ bool RattleStepper::overlaps(const std::vector<Box>& boxes, const Contact& c) co
          < -overlap_share * contact_scale(*system_, c);
 }
 
+/// The short way: contacts that were pressed and corners that got in, all closed at once. Whether
+/// it helped is seen by who looks for overlap next.
+void RattleStepper::close_pressed(State& state, const std::vector<Contact>& found) {
+  pose_boxes(*system_, state, end_boxes_);
+  contacts_ = found;
+  for (const Pressed& p : pressed_) {
+    const Contact now = at_poses(*system_, end_boxes_, p.contact);
+    const bool known = std::ranges::any_of(contacts_, [&](const Contact& d) {
+      return std::minmax(d.on, d.from) == std::minmax(now.on, now.from) && d.id() == now.id();
+    });
+    if (!known && std::abs(now.gap) < pressed_share * contact_scale(*system_, now))
+      contacts_.push_back(now);
+  }
+  closed_.close(contacts_, {});
+  closed_.project_positions(state);
+}
+
 void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
   std::vector<Contact> found;
   for (int round = 0; round < most_clean_ups; ++round) {
@@ -217,6 +234,10 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
     finder_.find(*system_, state, found, 0.0);
     const double deepest = finder_.deepest().depth;
     if (deepest <= overlap_share * finder_.deepest().scale) return;
+    if (round < closings) {
+      close_pressed(state, found);
+      continue;
+    }
     for (const Contact& c : found) {
       if (system_->body(c.from).kind == BodyKind::plane) continue;
       const IndexPair pair = std::minmax(c.on, c.from);

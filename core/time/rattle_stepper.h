@@ -46,6 +46,7 @@ class RattleStepper {
   void place(State& state, const State& predicted, double h, Bookkeeping& book);
   void place_island(
       const Island& island, const State& predicted, double h, State& state, Bookkeeping& book);
+  void close_pressed(State& state, const std::vector<Contact>& found);
   void clean_up(State& state, double h, Bookkeeping& book);
   [[nodiscard]] bool overlaps(const std::vector<Box>& boxes, const Contact& c) const;
   void hit(State& state, double t, double h, Bookkeeping& book);

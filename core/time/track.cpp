@@ -9,7 +9,7 @@ namespace {
 
 /// Frames per L / V, events per frame that are too many, and the longest stepping.
 constexpr double frames_per_time = 20.0;
-constexpr long most_events = 40;
+constexpr long most_events = 25;
 constexpr long most_events_again = 5;  ///< where stepping was needed not long ago
 constexpr int most_patience = 32;
 /// Steps per frame where the user did not choose them.

@@ -13,7 +13,7 @@ namespace wuerfel {
 /// Which of the two moves the group. Changes are decided by counts of events, never by clocks of
 /// the machine: the same scene changes at the same instants.
 ///
-///   - events are counted in frames of L / V / 20; more than 40 in one frame hand over to stepping,
+///   - events are counted in frames of L / V / 20; more than 25 in one frame hand over to stepping,
 ///   at
 ///     once and from where the motion is,
 ///   - stepping lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon; then gaps of

@@ -1,0 +1,34 @@
+/// The short way to a solution where the tight rows are nearly known: solve with them as
+/// equalities, let go of rows that pull, take hold of rows that are violated, and accept only what
+/// passes the optimality test. A primal-dual active set method (Hintermüller, Ito, Kunisch, SIAM J.
+/// Optim. 13 (2002) 865) that gives up early: what it cannot do in a few rounds is left to a
+/// solver.
+#pragma once
+
+#include <vector>
+
+#include "core/qp/equality_solver.h"
+#include "core/qp/qp_solver.h"
+
+namespace wuerfel {
+
+class ActiveSetGuess {
+ public:
+  /// `tight` (size m) is the guess, and afterwards the set that was reached. True where `result` is
+  /// optimal to `tolerance` (QpResidual::worst()); otherwise `result` is worthless. Programs with
+  /// bounded rows are not tried.
+  bool solve(const QuadraticProgram& program,
+             double tolerance,
+             std::vector<char>& tight,
+             QpResult& result);
+
+ private:
+  void reduce(const QuadraticProgram& program, const std::vector<char>& tight);
+  bool revise(const QuadraticProgram& program, std::vector<char>& tight, QpResult& result) const;
+
+  EqualitySolver solver_;
+  QuadraticProgram reduced_;
+  std::vector<double> forces_;  ///< of the reduced program
+};
+
+}  // namespace wuerfel
