@@ -18,6 +18,7 @@
 
 #include "render/compare.h"
 #include "render/draw_frame.h"
+#include "render/film_strip.h"
 #include "tests/support/image_golden.h"
 #include "tests/support/image_scenes.h"
 
@@ -104,6 +105,43 @@ TEST(GoldenPicture, ShowsCubesTooSmallForFullLines) {
   }
   EXPECT_TRUE(matches_golden(
       "crowd", draw_fitted(snapshot, Theme::light, {Layer::cubes, Layer::rods, Layer::hud})));
+}
+
+TEST(GoldenPicture, GrowsTextAndLinesForHiDpi) {
+  const Snapshot snapshot = pyramid_snapshot();
+  FrameOptions options = literal_options(default_layers);
+  options.scale = 2.0;
+  const View view = literal_view(snapshot, make_style(Theme::light), options, width, height);
+  EXPECT_TRUE(matches_golden("scale-2", draw(snapshot, view, Theme::light, options)));
+}
+
+TEST(GoldenPicture, MarksArrowsThatAreCutAndHidesSmallOnes) {
+  Snapshot snapshot = pyramid_snapshot();
+  snapshot.forces[0].force.y() = 100.0;  // at 0.125 m/N: longer than the longest, 1.25 m
+  snapshot.forces[3].force.y() = 0.009;  // below the smallest, 0.01 N
+  const FrameOptions options = literal_options(default_layers);
+  const View view = literal_view(snapshot, make_style(Theme::light), options, width, height);
+  EXPECT_TRUE(matches_golden("capped", draw(snapshot, view, Theme::light, options)));
+}
+
+TEST(GoldenPicture, LaysAStripOut) {
+  const Snapshot snapshot = pyramid_snapshot();
+  const Style style = make_style(Theme::light);
+  const StripLayout layout = strip_layout({3, 1}, width, 130, 1.0);
+  const FrameOptions options = literal_options({Layer::cubes, Layer::forces});
+  Image page;
+  shared_renderer().draw(
+      strip_page(std::vector<std::string>{"t = 0.000 s", "t = 0.500 s", "t = 1.000 s"}, layout,
+                 style),
+      page);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [x, y] = cell_place(layout, i);
+    paste(draw(snapshot,
+               literal_view(snapshot, style, options, layout.cell_width, layout.cell_height),
+               Theme::light, options),
+          x, y, page);
+  }
+  EXPECT_TRUE(matches_golden("strip", page));
 }
 
 /// A picture with one thing changed, drawn in the same view.
