@@ -44,10 +44,15 @@ Insets insets_of(const PictureOptions& options) {
 Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
   const bool arrows = options.layers.has(Layer::forces) && options.force_scale;
   const ForceScale scale = arrows ? *options.force_scale->whole : ForceScale{};
+  const double arrow_per_speed = options.velocity_scale.value_or(0.0);
   Bounds bounds;
   Recording::Replay replay(motion);
-  for (Snapshot snapshot; replay.next(snapshot);)
+  for (Snapshot snapshot; replay.next(snapshot);) {
     bounds.include(snapshot, scale);
+    if (!options.layers.has(Layer::velocities)) continue;
+    for (const SnapshotBox& box : snapshot.boxes)
+      bounds.include(Vec2(box.center + arrow_per_speed * box.velocity));
+  }
   const View view = fit_view(bounds, options.size.width, options.size.height, insets_of(options));
   Camera camera;
   camera.kind = Camera::Kind::fixed;

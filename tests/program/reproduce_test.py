@@ -51,6 +51,11 @@ class Reproduce(ProgramTest):
         self.expect(0, "figure", scene, "--strip", "3x2", "-o", "s.png", "--layers", "cubes,trails,forces", *SMALL)
         self.expect_identical("s.png")
 
+    def test_the_figures_of_the_gallery_can_be_made_again(self):
+        # Those at the start, which no change of the motion can reach.
+        for number in (1, 2, 3, 5, 6, 7):
+            self.expect(0, "reproduce", os.path.join(os.environ["PROJECT"], f"assets/gallery/fig{number}.png"))
+
     def test_names_may_have_spaces(self):
         scene = {**FLYING, "cube": [{"name": "the blue one", "position": [0, 3]}]}
         self.expect(0, "figure", self.scene(scene), "-o", "f.png", "--view", "follow:the blue one", *SMALL)
