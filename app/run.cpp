@@ -25,7 +25,7 @@ ExitCode run(const RunOptions& options) {
   Summary summary(options.summary, options.json);
 
   // Simulate from one instant that somebody wants to see to the next.
-  RunCost cost{.start_s = options.since_start.wall()};
+  RunCost cost{.start_s = options.since_start.cpu_before() + options.since_start.wall()};
   const Stopwatch watch;
   Film film(options, scene, pictures);
   std::vector<Sample> samples;

@@ -13,6 +13,9 @@ class Stopwatch {
   [[nodiscard]] double wall() const;
   /// s of all threads of this process and of the processes it has waited for, since construction.
   [[nodiscard]] double cpu() const;
+  /// s of processor time that were spent before construction: loading the program, where the watch
+  /// is started first of all.
+  [[nodiscard]] double cpu_before() const { return cpu_start_; }
 
  private:
   std::chrono::steady_clock::time_point wall_start_;

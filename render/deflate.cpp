@@ -1,6 +1,7 @@
 #include "render/deflate.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
@@ -25,13 +26,27 @@ std::uint64_t load(const std::uint8_t* at) {
 
 /// How many of the pixels at `a` and `b` agree before the first that does not; at most `limit`.
 std::size_t common_pixels(const std::uint8_t* a, const std::uint8_t* b, std::size_t limit) {
+  constexpr std::size_t words = 4;
+  constexpr std::size_t at_once = 2 * words;  // pixels
+  constexpr std::size_t many =
+      64;  // pixels: what is so long goes on to the end more often than not
   std::size_t count = 0;
-  for (; count + 8 <= limit; count += 8) {
-    const std::uint8_t* p = a + 4 * count;
-    const std::uint8_t* q = b + 4 * count;
-    const std::uint64_t unlike = (load(p) ^ load(q)) | (load(p + 8) ^ load(q + 8))
-                                 | (load(p + 16) ^ load(q + 16)) | (load(p + 24) ^ load(q + 24));
-    if (unlike != 0) break;
+  while (count + at_once <= limit) {
+    std::array<std::uint64_t, words> unlike{};
+    for (std::size_t i = 0; i < words; ++i)
+      unlike.at(i) = load(a + 4 * count + 8 * i) ^ load(b + 4 * count + 8 * i);
+    if ((unlike[0] | unlike[1] | unlike[2] | unlike[3]) != 0) {
+      std::size_t i = 0;
+      while (unlike.at(i) == 0)
+        ++i;
+      constexpr std::uint64_t first_pixel = 0xFFFFFFFFU;
+      static_assert(std::endian::native == std::endian::little);
+      return count + 2 * i + ((unlike.at(i) & first_pixel) == 0 ? 1 : 0);
+    }
+    count += at_once;
+    while (count >= 2 * at_once && count + many <= limit
+           && std::memcmp(a + 4 * count, b + 4 * count, 4 * many) == 0)
+      count += many;
   }
   while (count < limit && std::memcmp(a + 4 * count, b + 4 * count, 4) == 0)
     ++count;
@@ -62,15 +77,19 @@ class Adler {
 
   /// The row changes in these pixels, from `above` (null: zeros) to `row`.
   void change(const std::uint8_t* row, const std::uint8_t* above, Span span) {
+    constexpr std::array<std::uint8_t, 4> zeros{};
     for (std::size_t x = span.begin; x < span.end; ++x) {
+      const std::uint8_t* now = row + 4 * x;
+      const std::uint8_t* before = above == nullptr ? zeros.data() : above + 4 * x;
+      const std::int64_t r = now[0] - before[0];
+      const std::int64_t g = now[1] - before[1];
+      const std::int64_t b = now[2] - before[2];
+      const std::int64_t alpha = channels_ == 4 ? now[3] - before[3] : 0;
+      const std::int64_t all = r + g + b + alpha;
       // The filter byte comes before the pixels.
       const std::int64_t following = length_ - 1 - channels_ * static_cast<std::int64_t>(x);
-      for (std::int64_t c = 0; c < channels_; ++c) {
-        const std::size_t at = 4 * x + static_cast<std::size_t>(c);
-        const std::int64_t more = row[at] - (above == nullptr ? 0 : above[at]);
-        sum_ += more;
-        weighted_ += (following - c) * more;
-      }
+      sum_ += all;
+      weighted_ += following * all - (g + 2 * b + 3 * alpha);
     }
   }
   /// A row is complete.
@@ -93,10 +112,8 @@ class Adler {
 /// Turns rows into steps.
 class RowEncoder {
  public:
-  RowEncoder(const Image& image, std::size_t channels, std::size_t row_bytes)
-      : width_(static_cast<std::size_t>(image.width())),
-        channels_(channels),
-        reach_above_(row_bytes <= window) {}
+  RowEncoder(const Image& image, std::size_t row_bytes)
+      : width_(static_cast<std::size_t>(image.width())), reach_above_(row_bytes <= window) {}
 
   /// A row that differs from the one above in the pixels of `unlike` (from left to right) and there
   /// alone.
@@ -107,14 +124,13 @@ class RowEncoder {
 
  private:
   void match(std::size_t pixels, bool above) {
-    step_.match = static_cast<std::uint32_t>(pixels * channels_);
+    step_.match = static_cast<std::uint16_t>(pixels);
     step_.above = above;
     steps_.push_back(step_);
     step_ = {};
   }
 
   std::size_t width_;
-  std::size_t channels_;
   bool reach_above_;
   DeflateStep step_;  ///< being made
   std::vector<DeflateStep> steps_;
@@ -151,7 +167,7 @@ std::span<const DeflateStep> RowEncoder::repeated(const DeflateBlocks& blocks) {
   DeflateStep all;
   all.row_begin = true;
   all.above = true;
-  all.match = static_cast<std::uint32_t>(width_ * channels_);
+  all.match = static_cast<std::uint16_t>(width_);
   if (reach_above_ && blocks.estimate({&all, 1}) < blocks.estimate(steps_)) steps_ = {all};
   return steps_;
 }
@@ -172,14 +188,13 @@ void find_unlike(const std::uint8_t* row,
 
 }  // namespace
 
-std::vector<std::uint8_t> deflate_image(const Image& image, int channels) {
+void deflate_image(const Image& image, int channels, std::vector<std::uint8_t>& bytes) {
   const auto width = static_cast<std::size_t>(image.width());
   const auto bytes_per_pixel = static_cast<std::size_t>(channels);
   const std::size_t row_bytes = 1 + width * bytes_per_pixel;
-  std::vector<std::uint8_t> bytes{0x78, 0x01};
-  bytes.reserve(row_bytes * static_cast<std::size_t>(image.height()) / 16 + 1024);
+  bytes = {0x78, 0x01};
   DeflateBlocks blocks(image, bytes_per_pixel, std::min(row_bytes, window), bytes);
-  RowEncoder encoder(image, bytes_per_pixel, row_bytes);
+  RowEncoder encoder(image, row_bytes);
   Adler adler(bytes_per_pixel, width);
   std::vector<Span> unlike{{0, width}};  // the first row has nothing above
   for (int y = 0; y < image.height(); ++y) {
@@ -200,7 +215,6 @@ std::vector<std::uint8_t> deflate_image(const Image& image, int channels) {
   for (const unsigned shift : {24U, 16U, 8U, 0U}) {
     bytes.push_back(static_cast<std::uint8_t>(adler.value() >> shift));
   }
-  return bytes;
 }
 
 }  // namespace wuerfel

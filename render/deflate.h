@@ -11,9 +11,9 @@
 
 namespace wuerfel {
 
-/// The zlib stream of PNG's image data for 8 bits a channel and no filters: each row a zero byte
-/// and then `channels` (3: RGB, 4: RGBA) bytes a pixel. Memory beyond the result does not grow with
-/// the picture.
-std::vector<std::uint8_t> deflate_image(const Image& image, int channels);
+/// Makes `bytes` the zlib stream of PNG's image data for 8 bits a channel and no filters: each row
+/// a zero byte and then `channels` (3: RGB, 4: RGBA) bytes a pixel. Memory beyond the result does
+/// not grow with the picture.
+void deflate_image(const Image& image, int channels, std::vector<std::uint8_t>& bytes);
 
 }  // namespace wuerfel

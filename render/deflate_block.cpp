@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t shortest_match = 3;
 constexpr std::size_t longest_match = 258;
-constexpr std::size_t tokens_per_block = 1U << 16U;
+constexpr std::size_t tokens_per_block = 1U << 15U;
 constexpr unsigned end_of_block = 256;
 
 /// The symbol, and the extra bits, of a match length (RFC 1951, section 3.2.5).
@@ -152,8 +152,8 @@ void DeflateBlocks::count_letters(std::span<std::uint32_t> letters,
     if (step.match == 0) continue;
     const auto whole = static_cast<std::uint32_t>(step.match / part);
     const std::size_t rest = step.match % part;
-    letters[length_symbols.at(part).symbol] += whole;
-    if (rest > 0) ++letters[length_symbols.at(rest).symbol];
+    letters[length_symbols.at(part * channels_).symbol] += whole;
+    if (rest > 0) ++letters[length_symbols.at(rest * channels_).symbol];
     distances[step.above ? above_.symbol : left_.symbol] += whole + (rest > 0 ? 1 : 0);
   }
 }
@@ -175,9 +175,10 @@ void DeflateBlocks::write_step(const DeflateStep& step,
   }
   const std::span<const std::uint64_t> matches = step.above ? above_matches : left_matches;
   const std::size_t part = longest_part();
-  const auto write_match = [&](std::size_t length) {
+  const auto write_match = [&](std::size_t pixels) {
     constexpr std::uint64_t count_mask = (1U << bit_count_width) - 1;
-    put(matches[length] >> bit_count_width, static_cast<unsigned>(matches[length] & count_mask));
+    const std::uint64_t packed = matches[pixels * channels_];
+    put(packed >> bit_count_width, static_cast<unsigned>(packed & count_mask));
   };
   std::size_t left = step.match;
   for (; left >= part; left -= part)

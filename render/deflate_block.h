@@ -13,11 +13,12 @@ namespace wuerfel {
 
 struct HuffmanCode;
 
-/// Some pixels as they are, and then a copy of bytes from one of two distances.
+/// Some pixels as they are, and then copies of pixels at one of two distances. A row has at most
+/// 16384 pixels.
 struct DeflateStep {
   std::uint32_t first = 0;    ///< pixel of the image, counted row by row
-  std::uint32_t literal = 0;  ///< pixels from there on that are sent as they are
-  std::uint32_t match = 0;    ///< bytes that are copied: 0, or at least 3
+  std::uint16_t literal = 0;  ///< pixels from there on that are sent as they are
+  std::uint16_t match = 0;    ///< pixels that are copied
   bool above = false;         ///< from one row above; else from one pixel to the left
   bool row_begin = false;     ///< PNG's filter byte, a zero, comes first
 };
@@ -55,8 +56,8 @@ class DeflateBlocks {
                   const HuffmanCode& letters,
                   std::span<const std::uint64_t> left_matches,
                   std::span<const std::uint64_t> above_matches);
-  /// How many bytes one match can be at most and still leave a rest that is one.
-  [[nodiscard]] std::size_t longest_part() const { return 258 / channels_ * channels_; }
+  /// How many pixels one match can be; any rest is long enough to be one, too.
+  [[nodiscard]] std::size_t longest_part() const { return 258 / channels_; }
 
   const std::uint8_t* pixels_;
   std::size_t channels_;

@@ -99,23 +99,21 @@ void FramePipeline::draw_frames() {
 }
 
 void FramePipeline::encode_frames() {
+  const bool opaque = settings_.style.background.a == 255;
+  const PngChannels channels = opaque ? PngChannels::rgb : PngChannels::rgba;
+  CompressedImage compressed;
   while (const std::optional<Drawn> frame = drawn_.pop()) {
-    CompressedImage compressed;
-    if (frame->slot && outputs_.take_png) compressed = compress(images_.at(*frame->slot));
+    if (frame->slot && outputs_.take_png)
+      compress_image(images_.at(*frame->slot), settings_.encoder, channels, compressed);
     std::unique_lock turn(turn_mutex_);
     turn_changed_.wait(turn, [&] { return stopped_ || turn_ == frame->number; });
     if (stopped_) return;
-    if (frame->slot) compressed_ = std::move(compressed);
+    if (frame->slot) std::swap(compressed_, compressed);
     write_frame(*frame);
     if (frame->slot) free_slots_.push(*frame->slot);
     ++turn_;
     turn_changed_.notify_all();
   }
-}
-
-CompressedImage FramePipeline::compress(const Image& image) const {
-  const bool opaque = settings_.style.background.a == 255;
-  return compress_image(image, settings_.encoder, opaque ? PngChannels::rgb : PngChannels::rgba);
 }
 
 void FramePipeline::write_frame(const Drawn& frame) {

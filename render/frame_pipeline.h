@@ -82,7 +82,6 @@ class FramePipeline {
 
   void draw_frames();
   void encode_frames();
-  CompressedImage compress(const Image& image) const;
   void write_frame(const Drawn& frame);
   void close_queues();
   void join();

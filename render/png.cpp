@@ -172,13 +172,25 @@ std::string_view to_string(PngEncoder encoder) {
   return "?";
 }
 
-CompressedImage compress_image(const Image& image, PngEncoder encoder, PngChannels channels) {
-  CompressedImage compressed{image.width(), image.height(), channels == PngChannels::rgba, {}, 0};
-  if (channels == PngChannels::automatic) compressed.alpha = !image.opaque();
-  compressed.stream = encoder == PngEncoder::libpng
-                          ? stream_by_libpng(image, compressed.alpha)
-                          : deflate_image(image, compressed.alpha ? 4 : 3);
+void compress_image(const Image& image,
+                    PngEncoder encoder,
+                    PngChannels channels,
+                    CompressedImage& compressed) {
+  compressed.width = image.width();
+  compressed.height = image.height();
+  compressed.alpha =
+      channels == PngChannels::rgba || (channels == PngChannels::automatic && !image.opaque());
+  if (encoder == PngEncoder::libpng) {
+    compressed.stream = stream_by_libpng(image, compressed.alpha);
+  } else {
+    deflate_image(image, compressed.alpha ? 4 : 3, compressed.stream);
+  }
   compressed.check_sum = chunk_check_sum("IDAT", compressed.stream);
+}
+
+CompressedImage compress_image(const Image& image, PngEncoder encoder, PngChannels channels) {
+  CompressedImage compressed;
+  compress_image(image, encoder, channels, compressed);
   return compressed;
 }
 

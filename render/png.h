@@ -49,6 +49,12 @@ CompressedImage compress_image(const Image& image,
                                PngEncoder encoder = PngEncoder::run_length,
                                PngChannels channels = PngChannels::automatic);
 
+/// The same into an object that was used before, whose memory is taken again.
+void compress_image(const Image& image,
+                    PngEncoder encoder,
+                    PngChannels channels,
+                    CompressedImage& compressed);
+
 /// The chunks of these texts, to be used in several files.
 std::vector<std::uint8_t> text_chunks(std::span<const PngText> texts);
 

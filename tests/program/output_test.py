@@ -30,6 +30,26 @@ class Frames(ProgramTest):
         self.assertEqual((s["cost"]["frames"], len(self.files("f"))), (11, 11))
         self.assertEqual(float(png_texts(self.path("f/frame_000003.png"))["Simulated time"]), 3 * 0.5 / 10)
 
+    def test_frames_that_look_the_same_are_counted_and_not_drawn_again(self):
+        still = ("--layers", "cubes,forces", "--fps", "100", *SMALL)
+        for view in ((), ("--view", "0,5,20", "--force-scale", "0.05")):  # drawn afterwards and at once
+            cost = self.summary(STANDING, "-o", "f/", *still, *view)["cost"]
+            self.assertEqual((cost["frames"], cost["frames_reused"]), (11, 10))
+            cost = self.summary(FLYING, "-o", "f/", "--until", "0.1", *still, *view)["cost"]
+            self.assertEqual((cost["frames"], cost["frames_reused"]), (11, 0))
+            # The clock of the HUD goes on, in thousandths of a second.
+            cost = self.summary(STANDING, "-o", "f/", "--fps", "4000", "--until", "0.01", *SMALL, *view)["cost"]
+            self.assertEqual(cost["frames"], 41)
+            self.assertEqual(cost["frames"] - cost["frames_reused"], 11)
+        cost = self.summary(FLYING, "--states", "s.csv")["cost"]
+        self.assertEqual((cost["frames"], cost["frames_reused"]), (0, 0))
+
+    def test_unchanged_frames_differ_in_their_time_alone(self):
+        self.expect(0, "run", self.scene(STANDING), "-o", "f/", "--layers", "cubes", "--fps", "20", *SMALL)
+        first, second = (png_chunks(self.path("f/" + name)) for name in self.files("f")[:2])
+        self.assertEqual([a[0] for a, b in zip(first, second) if a != b], ["tEXt"])
+        self.assertEqual(png_texts(self.path("f/frame_000001.png"))["Simulated time"], "0.05")
+
     def test_a_frame_is_as_large_as_asked(self):
         self.expect(0, "run", self.scene(FLYING), "-o", "f/", "--until", "0", "--size", "161x91")
         self.assertEqual(png_size(self.path("f/frame_000000.png")), (161, 91))
