@@ -146,6 +146,22 @@ IslandSolution IslandDynamics::correction(const State& state,
   return solve(state, island, targets.empty() ? corrections_ : placements_);
 }
 
+void set_velocities(const Island& island, const std::vector<Twist>& velocities, State& state) {
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
+    s.velocity = velocities[k].linear;
+    s.spin = velocities[k].angular;
+  }
+}
+
+void displace(const Island& island, const std::vector<Twist>& displacements, State& state) {
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
+    s.position += displacements[k].linear;
+    s.angle += displacements[k].angular;
+  }
+}
+
 double largest_acceleration(const System& system,
                             const Island& island,
                             const std::vector<Twist>& twists) {

@@ -74,6 +74,12 @@ class IslandDynamics {
   Memories placements_;
 };
 
+/// Takes the velocities of an island's cubes over into the state.
+void set_velocities(const Island& island, const std::vector<Twist>& velocities, State& state);
+
+/// Moves an island's cubes.
+void displace(const Island& island, const std::vector<Twist>& displacements, State& state);
+
 /// max over cubes of (|a| + side |alpha|), m/s^2: how far from rest accelerations are.
 double largest_acceleration(const System& system,
                             const Island& island,

@@ -1,5 +1,9 @@
 #include "core/time/bookkeeping.h"
 
+#include <algorithm>
+
+#include "core/dynamics/gauss.h"
+
 namespace wuerfel {
 
 std::string_view to_string(EventKind kind) {
@@ -20,6 +24,12 @@ std::string_view to_string(EventKind kind) {
       return "rest";
   }
   return "?";
+}
+
+void keep_book(const IslandSolution& solution, Bookkeeping& book) {
+  ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
+  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
+  if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
 }
 
 }  // namespace wuerfel

@@ -9,6 +9,8 @@
 
 namespace wuerfel {
 
+struct IslandSolution;
+
 enum class EventKind { impact, touch, release, slide_off, stick, slip, rest };
 std::string_view to_string(EventKind kind);
 
@@ -57,5 +59,8 @@ struct Bookkeeping {
   Audit audit;
   Cost cost;
 };
+
+/// Books a program that was solved, and how well.
+void keep_book(const IslandSolution& solution, Bookkeeping& book);
 
 }  // namespace wuerfel

@@ -26,23 +26,9 @@ constexpr double peek_time = 1e-7;
 constexpr double closed_acceleration = 1e-9;
 constexpr double closed_rounding = 1e-11;
 
-void set_velocities(const Island& island, const std::vector<Twist>& velocities, State& state) {
-  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
-    s.velocity = velocities[k].linear;
-    s.spin = velocities[k].angular;
-  }
-}
-
 IndexPair pair_of(const Contact& c) { return std::minmax(c.on, c.from); }
 
 }  // namespace
-
-void keep_book(const IslandSolution& solution, Bookkeeping& book) {
-  ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
-  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
-  if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
-}
 
 ContactLaw::ContactLaw(const System& system, const MotionSettings& settings)
     : system_(&system), dynamics_(system, settings) {}
@@ -117,11 +103,7 @@ void ContactLaw::separate(Island& island, State& state, Bookkeeping& book) {
   use_.assign(island.contacts.size(), SideUse::inequality);
   const IslandSolution solution = dynamics_.correction(state, island, use_);
   ++book.cost.qp_solves;
-  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
-    s.position += solution.twists[k].linear;
-    s.angle += solution.twists[k].angular;
-  }
+  displace(island, solution.twists, state);
   std::vector<Box> boxes;
   pose_boxes(*system_, state, boxes);
   for (Contact& c : island.contacts)

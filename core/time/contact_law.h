@@ -64,7 +64,4 @@ class ContactLaw {
   std::vector<SideUse> use_;
 };
 
-/// Books a program that was solved.
-void keep_book(const IslandSolution& solution, Bookkeeping& book);
-
 }  // namespace wuerfel

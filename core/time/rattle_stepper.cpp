@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/time/contact_law.h"
-
 namespace wuerfel {
 namespace {
 
@@ -271,11 +269,7 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
       // Judged by the overlap that it leaves, which is measured.
       const IslandSolution solution = dynamics_.correction(state, island, use_);
       ++book.cost.qp_solves;
-      for (std::size_t m = 0; m < island.cubes.size(); ++m) {
-        BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
-        s.position += solution.twists[m].linear;
-        s.angle += solution.twists[m].angular;
-      }
+      displace(island, solution.twists, state);
     }
   }
 }
@@ -301,11 +295,7 @@ void RattleStepper::hit(State& state, double t, double h, Bookkeeping& book) {
     if (!closing) continue;
     const IslandSolution solution = dynamics_.impact(state, island);
     keep_book(solution, book);
-    for (std::size_t m = 0; m < island.cubes.size(); ++m) {
-      BodyState& s = state[static_cast<std::size_t>(island.cubes[m])];
-      s.velocity = solution.twists[m].linear;
-      s.spin = solution.twists[m].angular;
-    }
+    set_velocities(island, solution.twists, state);
     log_hits(island, solution, t, h, book);
   }
 }

@@ -14,36 +14,6 @@ constexpr double rest_acceleration = 1e-10;
 /// A contact carries load where its force exceeds this share of the island's largest.
 constexpr double pressed_share = 1e-9;
 
-/// Gaps are corrected to this share of the smaller side: well inside touching_tolerance, well above
-/// rounding.
-constexpr double corrected_gap = 1e-11;
-/// Rounds of corrections: sides stay closed in the first ones; where that does not settle, only
-/// overlap is removed.
-constexpr int closing_corrections = 12;
-constexpr int most_corrections = 40;
-
-void keep_book(const IslandSolution& solution, Bookkeeping& book) {
-  ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
-  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
-  if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
-}
-
-void set_velocities(const Island& island, const std::vector<Twist>& velocities, State& state) {
-  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
-    s.velocity = velocities[k].linear;
-    s.spin = velocities[k].angular;
-  }
-}
-
-void displace(const Island& island, const std::vector<Twist>& displacements, State& state) {
-  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
-    s.position += displacements[k].linear;
-    s.angle += displacements[k].angular;
-  }
-}
-
 /// Velocities that count as zero become zero, so that rest can be certified.
 void settle(const System& system, const Island& island, State& state) {
   for (const int cube : island.cubes) {
@@ -58,10 +28,6 @@ void settle(const System& system, const Island& island, State& state) {
   }
 }
 
-bool contains(const std::vector<Contact>& contacts, const Contact& c) {
-  return std::ranges::any_of(contacts, [&](const Contact& d) { return d.id() == c.id(); });
-}
-
 bool is_still(const Island& island, const State& state) {
   return std::ranges::all_of(island.cubes, [&](int cube) {
     const BodyState& s = state[static_cast<std::size_t>(cube)];
@@ -72,7 +38,10 @@ bool is_still(const Island& island, const State& state) {
 }  // namespace
 
 Stepper::Stepper(const System& system, const MotionSettings& settings)
-    : system_(&system), settings_(settings), dynamics_(system, settings) {}
+    : system_(&system),
+      settings_(settings),
+      dynamics_(system, settings),
+      correction_(system, settings) {}
 
 bool Stepper::at_rest(const Moment& moment) {
   return std::ranges::all_of(moment.resting, [](char r) { return r != 0; });
@@ -88,15 +57,19 @@ void Stepper::step(Moment& moment, double dt, Bookkeeping& book) {
   }
   // Bestimme die aktiven Restriktionen: done by `arrive` when this moment was reached.
   // Bestimme (a_i): Eq. (9) under (1) and under (7) where (2) = (3) = 0.
-  accelerate(moment, book);
-  const std::vector<Contact> pressed = pressed_contacts(moment);
-
-  // v := v + a dt,  p := p + v dt
-  integrate(moment, dt);
+  std::vector<Contact> pressed;
+  if (settings_.integrator == Integrator::moreau) {
+    pressed = sweep(moment, dt, book);
+  } else {
+    accelerate(moment, book);
+    pressed = pressed_contacts(moment);
+    // v := v + a dt,  p := p + v dt
+    integrate(moment, dt);
+  }
 
   // Eventuell Längenkorrektur
-  correct_positions(moment.state, pressed, book);
-  correct_velocities(moment.state, pressed, book);
+  correction_.correct_positions(moment.state, pressed, book);
+  correction_.correct_velocities(moment.state, pressed, book);
 
   moment.t += dt;
   ++book.cost.steps;
@@ -225,6 +198,36 @@ std::vector<Contact> Stepper::pressed_contacts(const Moment& moment) const {
   return pressed;
 }
 
+/// Moreau and Jean: the velocity nearest to that of free flight which closes no contact, and a step
+/// with it (theta = 1; Acary and Brogliato, "Numerical Methods for Nonsmooth Dynamical Systems",
+/// 2008, chapter 10). Returns the contacts that were pressed.
+std::vector<Contact> Stepper::sweep(Moment& moment, double dt, Bookkeeping& book) {
+  // What stands still may be certified to rest.
+  const bool still = std::ranges::all_of(
+      moment.islands, [&](const Island& island) { return is_still(island, moment.state); });
+  if (still) accelerate(moment, book);
+  for (std::size_t i = 0; i < moment.state.size(); ++i) {
+    if (moment.resting[i] == 0) moment.state[i].velocity += dt * system_->gravity;
+  }
+  std::vector<Contact> pressed;
+  for (const Island& island : moment.islands) {
+    if (resting(moment, island)) continue;
+    const IslandSolution solution = dynamics_.impact(moment.state, island);
+    keep_book(solution, book);
+    set_velocities(island, solution.twists, moment.state);
+    const double largest = std::ranges::max(solution.forces);
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      if (solution.forces[k] > pressed_share * largest) pressed.push_back(island.contacts[k]);
+    }
+  }
+  for (std::size_t i = 0; i < moment.state.size(); ++i) {
+    if (moment.resting[i] != 0) continue;
+    moment.state[i].position += dt * moment.state[i].velocity;
+    moment.state[i].angle += dt * moment.state[i].spin;
+  }
+  return pressed;
+}
+
 void Stepper::integrate(Moment& moment, double dt) const {
   const bool old_velocity = settings_.integrator == Integrator::euler;
   for (std::size_t i = 0; i < moment.state.size(); ++i) {
@@ -250,76 +253,6 @@ void Stepper::integrate(Moment& moment, double dt) const {
       points.p[k] += (old_velocity ? v_old : points.v[k]) * dt;
     }
     s = nearest_cube(points, body.size, body.mass, s);
-  }
-}
-
-void Stepper::correct_positions(State& state, std::vector<Contact> closed, Bookkeeping& book) {
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  for (int round = 0; round < most_corrections; ++round) {
-    finder_.find(*system_, state, contacts);
-    if (round >= closing_corrections) closed.clear();
-    // A side that was pressed stays closed, unless the corner has left its end.
-    std::erase_if(closed, [&](Contact& c) {
-      c = at_poses(*system_, finder_.boxes(), c);
-      return c.alpha < 0.0 || c.alpha > 1.0;
-    });
-    for (const Contact& c : closed) {
-      if (!contains(contacts, c)) contacts.push_back(c);
-    }
-    find_islands(*system_, contacts, islands);
-    bool corrected = false;
-    for (const Island& island : islands) {
-      corrected = correct_island(island, state, closed, book) || corrected;
-    }
-    if (!corrected) return;
-  }
-}
-
-bool Stepper::correct_island(const Island& island,
-                             State& state,
-                             std::vector<Contact>& closed,
-                             Bookkeeping& book) {
-  std::vector<SideUse> use;
-  bool off = false;
-  for (const Contact& c : island.contacts) {
-    const bool keep = contains(closed, c);
-    use.push_back(keep ? SideUse::equality : SideUse::inequality);
-    off = off || (keep ? std::abs(c.gap) : -c.gap) > corrected_gap * contact_scale(*system_, c);
-  }
-  if (!off) return false;
-  IslandSolution solution = dynamics_.correction(state, island, use);
-  if (solution.status != QpStatus::optimal) {
-    // Closed sides contradict one another by the step's error: then only overlap is removed.
-    std::erase_if(closed, [&](const Contact& c) { return contains(island.contacts, c); });
-    std::ranges::fill(use, SideUse::inequality);
-    solution = dynamics_.correction(state, island, use);
-  }
-  keep_book(solution, book);
-  displace(island, solution.twists, state);
-  // What was pushed out of an overlap ends closed, not open by the second order of the
-  // displacement: else the next moment would not see it touch.
-  for (std::size_t k = 0; k < use.size(); ++k) {
-    if (use[k] == SideUse::inequality && solution.forces[k] > 0.0 && island.contacts[k].gap < 0.0) {
-      closed.push_back(island.contacts[k]);
-    }
-  }
-  return true;
-}
-
-void Stepper::correct_velocities(State& state,
-                                 const std::vector<Contact>& pressed,
-                                 Bookkeeping& book) {
-  std::vector<Island> islands;
-  find_islands(*system_, pressed, islands);
-  for (const Island& island : islands) {
-    const bool still = std::ranges::all_of(island.contacts, [&](const Contact& c) {
-      return contact_motion(*system_, state, c) == ContactMotion::resting;
-    });
-    if (still) continue;
-    const IslandSolution solution = dynamics_.tangential_velocities(state, island);
-    keep_book(solution, book);
-    set_velocities(island, solution.twists, state);
   }
 }
 

@@ -1,9 +1,11 @@
-/// Algorithm 1 of the paper, step by step, with the impact law that it leaves open.
+/// Algorithm 1 of the paper, step by step, with the impact law that it leaves open; and the time
+/// stepping of Moreau and Jean, which needs no accelerations.
 #pragma once
 
 #include <vector>
 
 #include "core/time/bookkeeping.h"
+#include "core/time/length_correction.h"
 #include "core/time/moment.h"
 
 namespace wuerfel {
@@ -25,12 +27,7 @@ class Stepper {
 
  private:
   void integrate(Moment& moment, double dt) const;
-  void correct_positions(State& state, std::vector<Contact> closed, Bookkeeping& book);
-  bool correct_island(const Island& island,
-                      State& state,
-                      std::vector<Contact>& closed,
-                      Bookkeeping& book);
-  void correct_velocities(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
+  std::vector<Contact> sweep(Moment& moment, double dt, Bookkeeping& book);
   void keep_rest(Moment& moment, const Moment& before) const;
   void strike(Moment& moment, const Island& island, Bookkeeping& book);
   [[nodiscard]] std::vector<Contact> pressed_contacts(const Moment& moment) const;
@@ -39,6 +36,7 @@ class Stepper {
   const System* system_;
   MotionSettings settings_;
   IslandDynamics dynamics_;
+  LengthCorrection correction_;
   ContactFinder finder_;
 };
 
