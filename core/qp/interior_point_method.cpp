@@ -10,7 +10,8 @@ constexpr double proximal_equality = 1e-10;  ///< delta / |g|^2 of rows without 
 /// Steps after which nearly dependent rows are taken to creep, and what the others' delta / |g|^2
 /// is then.
 constexpr int slow = 20;
-constexpr double slow_affine = 0.1;
+constexpr double slow_progress = 0.3;  ///< of the products in such a step
+constexpr double useless_affine = 0.1;
 constexpr double slow_proximal = 1e-20;
 constexpr double to_the_boundary = 0.995;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
@@ -62,6 +63,8 @@ MethodOutcome InteriorPointMethod::run(
   start(problem, warm);
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
   double affine = 0.0;
+  double former_mu = unbounded;
+  bool creeping = false;
   bool rounded = false;
   int lost = 0;
   for (int step = 0; step < most_steps; ++step) {
@@ -89,8 +92,9 @@ MethodOutcome InteriorPointMethod::run(
     }
     if (find_unbalance(problem) > force * std::max(most_unbalance * centre, needless * goal))
       rounded = true;
-    const bool creeping = step >= slow && affine > slow_affine && !rounded;
-    proximal_ = creeping ? std::min(proximal, slow_proximal) : proximal;
+    creeping = creeping || (step >= slow && mu > slow_progress * former_mu);
+    former_mu = mu;
+    proximal_ = creeping && !rounded && affine > useless_affine ? std::min(proximal, slow_proximal) : proximal;
     set_weights(problem);
     problem.factorise(weight_.data());
     ++outcome.factorisations;
