@@ -14,6 +14,8 @@ constexpr double slow_progress = 0.3;  ///< of the products in such a step
 constexpr double useless_affine = 0.1;
 constexpr double slow_proximal = 1e-20;
 constexpr double to_the_boundary = 0.995;
+/// Distances at a cold start, in parts of what a row asks for at most: saves a step or two.
+constexpr double first_gap = 0.1;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances
 constexpr int most_steps = 100;
 constexpr double near = 1e-6;  ///< residual from which on progress is expected in every step
@@ -94,7 +96,8 @@ MethodOutcome InteriorPointMethod::run(
       rounded = true;
     creeping = creeping || (step >= slow && mu > slow_progress * former_mu);
     former_mu = mu;
-    proximal_ = creeping && !rounded && affine > useless_affine ? std::min(proximal, slow_proximal) : proximal;
+    proximal_ = creeping && !rounded && affine > useless_affine ? std::min(proximal, slow_proximal)
+                                                                : proximal;
     set_weights(problem);
     problem.factorise(weight_.data());
     ++outcome.factorisations;
@@ -117,7 +120,7 @@ void InteriorPointMethod::resize(const LeastDistance& problem) {
     v->resize(static_cast<std::size_t>(problem.blocks()));
 }
 
-/// Cold: every distance and its multiplier have the same product, the square of the size of y.
+/// Cold: every distance and its multiplier have the same product.
 void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
   const double size = size_of(problem) * (warm ? warm_share : 1.0);
   count_ = 0;
@@ -128,8 +131,10 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
     lambda_[i] = free                   ? inside(range, warm ? lambda_[i] : 0.0, size / norm)
                  : is_finite(range.low) ? range.low
                                         : 0.0;
-    p_[i] = free && is_finite(range.low) ? std::max(size * norm, warm ? p_[i] : 0.0) : 0.0;
-    q_[i] = free && is_finite(range.high) ? std::max(size * norm, warm ? q_[i] : 0.0) : 0.0;
+    p_[i] =
+        free && is_finite(range.low) ? std::max(first_gap * size * norm, warm ? p_[i] : 0.0) : 0.0;
+    q_[i] =
+        free && is_finite(range.high) ? std::max(first_gap * size * norm, warm ? q_[i] : 0.0) : 0.0;
     count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
   }
   problem.apply_transposed(lambda_.data(), y_.data());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 namespace wuerfel {
 namespace {
@@ -16,26 +15,51 @@ double relative(double v, double scale) {
   return scale > 0.0 ? v / scale : unbounded;
 }
 
-/// Calls visit(coefficient, coordinate) for every coefficient of a row of blocks of `size`.
-template <typename Size, typename Visit>
-void for_blocks(const QuadraticProgram& p, std::size_t row, Size size, Visit&& visit) {
-  const int last = p.row_start[row + 1];
-  for (int e = p.row_start[row]; e < last; ++e) {
-    const double* J = p.coefficients.data() + at(e) * size;
-    const std::size_t first = at(p.entry_block[at(e)]) * size;
+constexpr std::size_t usual_size = 3;  ///< of a block; known to the compiler it is faster
+
+/// sum_j J_j^2 weight_j over a row's coefficients.
+double square_of(const QuadraticProgram& p, std::size_t row, const std::vector<double>& weight) {
+  const auto size = at(p.block_size);
+  double sum = 0.0;
+  for (auto e = at(p.row_start[row]); e < at(p.row_start[row + 1]); ++e) {
+    const double* J = p.coefficients.data() + e * size;
+    const double* w = weight.data() + at(p.entry_block[e]) * size;
+    if (size == usual_size) {
+      sum += (J[0] * J[0] * w[0] + J[1] * J[1] * w[1]) + J[2] * J[2] * w[2];
+      continue;
+    }
     for (std::size_t c = 0; c < size; ++c)
-      visit(J[c], first + c);
+      sum += J[c] * J[c] * w[c];
   }
+  return sum;
 }
 
-/// The same; the usual size is known to the compiler.
-template <typename Visit>
-void for_row(const QuadraticProgram& p, std::size_t row, Visit&& visit) {
-  if (p.block_size == 3) {
-    for_blocks(p, row, std::integral_constant<std::size_t, 3>{}, visit);
-  } else {
-    for_blocks(p, row, at(p.block_size), visit);
+/// J x of a row, and force -= J' lambda on the way.
+double value_of(const QuadraticProgram& p,
+                std::size_t row,
+                const std::vector<double>& x,
+                double lambda,
+                std::vector<double>& force) {
+  const auto size = at(p.block_size);
+  double sum = 0.0;
+  for (auto e = at(p.row_start[row]); e < at(p.row_start[row + 1]); ++e) {
+    const double* J = p.coefficients.data() + e * size;
+    const std::size_t first = at(p.entry_block[e]) * size;
+    const double* y = x.data() + first;
+    double* f = force.data() + first;
+    if (size == usual_size) {
+      sum += (J[0] * y[0] + J[1] * y[1]) + J[2] * y[2];
+      f[0] -= J[0] * lambda;
+      f[1] -= J[1] * lambda;
+      f[2] -= J[2] * lambda;
+      continue;
+    }
+    for (std::size_t c = 0; c < size; ++c) {
+      sum += J[c] * y[c];
+      f[c] -= J[c] * lambda;
+    }
   }
+  return sum;
 }
 
 /// Zero if all values are numbers, else not a number.
@@ -46,29 +70,32 @@ double nothing(const std::vector<double>& values) {
   return sum;
 }
 
-/// One row's part of the residual, `force` being the scale of forces.
+/// 1 / scale, so that nothing but 0 passes a scale of 0.
+double inverse(double scale) { return scale > 0.0 ? 1.0 / scale : unbounded; }
+
+/// One row's part of the residual, under the inverse scales of forces and accelerations.
 void add_row(double force_min,
              double force_max,
              double slack,
              double lambda,
              double norm,
-             double force,
-             double acceleration,
+             double per_force,
+             double per_acceleration,
              QpResidual& residual) {
   const double outside = std::max({force_min - lambda, lambda - force_max, 0.0});
-  if (outside > 0.0) residual.dual = std::max(residual.dual, relative(outside * norm, force));
+  if (outside > 0.0) residual.dual = std::max(residual.dual, outside * norm * per_force);
   if (slack == 0.0) return;
 
   // Where J x > b the multiplier has to be at its smallest, where J x < b at its largest; if there
   // is none the row is violated.
   const double distance = slack > 0.0 ? lambda - force_min : force_max - lambda;
   if (distance == 0.0) return;
-  const double gap = relative(std::abs(slack) / norm, acceleration);
+  const double gap = std::abs(slack) / norm * per_acceleration;
   if (distance == unbounded) {
     residual.primal = std::max(residual.primal, gap);
   } else {
-    residual.complementarity = std::max(residual.complementarity,
-                                        std::min(gap, relative(std::abs(distance) * norm, force)));
+    residual.complementarity =
+        std::max(residual.complementarity, std::min(gap, std::abs(distance) * norm * per_force));
   }
 }
 
@@ -76,27 +103,33 @@ void add_row(double force_min,
 
 double QpResidual::worst() const { return std::max({stationarity, primal, dual, complementarity}); }
 
+void OptimalityMeter::find_units(const QuadraticProgram& p) {
+  mass_ = p.mass;
+  block_size_ = p.block_size;
+  for (auto* v : {&unit_, &root_, &weight_})
+    v->resize(mass_.size());
+  const auto size = at(p.block_size);
+  for (std::size_t j = 0; j < mass_.size(); ++j) {
+    const double ratio = mass_[j] / mass_[j - j % size];
+    root_[j] = std::sqrt(ratio);
+    unit_[j] = 1.0 / root_[j];
+    weight_[j] = 1.0 / ratio;
+  }
+}
+
 const ResidualScales& OptimalityMeter::measure_scales(const QuadraticProgram& p) {
   scales_.acceleration = 0.0;
   scales_.weight = 0.0;
-  unit_.resize(p.mass.size());
-  for (int first = 0; first < p.unknowns(); first += p.block_size) {
-    for (int j = first; j < first + p.block_size; ++j) {
-      const double f = std::abs(p.target[at(j)]);
-      const double M = p.mass[at(j)];
-      const double unit = j == first ? 1.0 : std::sqrt(M / p.mass[at(first)]);
-      unit_[at(j)] = 1.0 / unit;
-      scales_.acceleration = std::max(scales_.acceleration, f * unit);
-      scales_.weight = std::max(scales_.weight, M * f / unit);
-    }
+  if (mass_ != p.mass || block_size_ != p.block_size) find_units(p);
+  for (std::size_t j = 0; j < p.mass.size(); ++j) {
+    const double f = std::abs(p.target[j]);
+    scales_.acceleration = std::max(scales_.acceleration, f * root_[j]);
+    scales_.weight = std::max(scales_.weight, p.mass[j] * f * unit_[j]);
   }
   double largest = 0.0;
   scales_.row_norm.resize(p.bound.size());
   for (int row = 0; row < p.rows(); ++row) {
-    double square = 0.0;
-    for_row(p, at(row),
-            [&](double J, std::size_t j) { square += (J * unit_[j]) * (J * unit_[j]); });
-    scales_.row_norm[at(row)] = std::sqrt(square);
+    scales_.row_norm[at(row)] = std::sqrt(square_of(p, at(row), weight_));
     largest = std::max(largest, scales_.row_norm[at(row)]);
   }
   for (int row = 0; row < p.rows(); ++row) {
@@ -117,13 +150,7 @@ double OptimalityMeter::unbalanced_force(const QuadraticProgram& p,
   for (std::size_t j = 0; j < x.size(); ++j)
     force_[j] = p.mass[j] * (x[j] - p.target[j]);
   for (int row = 0; row < p.rows(); ++row) {
-    double value = 0.0;
-    const double lambda = multiplier[at(row)];
-    for_row(p, at(row), [&](double J, std::size_t j) {
-      value += J * x[j];
-      force_[j] -= J * lambda;
-    });
-    slack_[at(row)] = value - p.bound[at(row)];
+    slack_[at(row)] = value_of(p, at(row), x, multiplier[at(row)], force_) - p.bound[at(row)];
   }
   double worst = 0.0;
   for (std::size_t j = 0; j < x.size(); ++j)
@@ -144,9 +171,11 @@ QpResidual OptimalityMeter::measure(const QuadraticProgram& program,
 
   QpResidual residual;
   residual.stationarity = relative(unbalanced_force(program, x, multiplier), force);
+  const double per_force = inverse(force);
+  const double per_acceleration = inverse(scales_.acceleration);
   for (std::size_t i = 0; i < multiplier.size(); ++i) {
     add_row(program.force_min[i], program.force_max[i], slack_[i], multiplier[i],
-            scales_.row_norm[i], force, scales_.acceleration, residual);
+            scales_.row_norm[i], per_force, per_acceleration, residual);
   }
   return residual;
 }

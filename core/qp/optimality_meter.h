@@ -33,14 +33,20 @@ class OptimalityMeter {
                      const std::vector<double>& multiplier);
 
  private:
+  void find_units(const QuadraticProgram& program);
   double unbalanced_force(const QuadraticProgram& program,
                           const std::vector<double>& x,
                           const std::vector<double>& multiplier);
 
   ResidualScales scales_;
-  std::vector<double> unit_;   ///< sqrt(M / M_first) per coordinate
-  std::vector<double> force_;  ///< M (x - f) - J' lambda
-  std::vector<double> slack_;  ///< J x - b
+  // Of the masses seen last.
+  std::vector<double> mass_;
+  int block_size_ = 0;
+  std::vector<double> root_;    ///< sqrt(M / M_first) per coordinate
+  std::vector<double> unit_;    ///< 1 / root
+  std::vector<double> weight_;  ///< 1 / root^2
+  std::vector<double> force_;   ///< M (x - f) - J' lambda
+  std::vector<double> slack_;   ///< J x - b
 };
 
 }  // namespace wuerfel
