@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/qp/quad_vector.h"
+
 namespace wuerfel {
 namespace {
 
@@ -25,13 +27,6 @@ constexpr double settling_weight = 1e9;  ///< of tight rows, in units of 1 / |g|
 /// One after the other: small ones fail less often on jammed walls of very different masses, more
 /// often elsewhere.
 constexpr std::array proximal_terms{1e-14, 1e-15, 1e-16};
-
-void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      y[b].v[c] += factor * d[b].v[c];
-  }
-}
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/quad_vector.h"
+
 namespace wuerfel {
 namespace {
 
@@ -25,13 +27,6 @@ double largest(const std::vector<Quad>& v) {
   for (const Quad& q : v)
     most = std::max({most, std::abs(q.v[0]), std::abs(q.v[1]), std::abs(q.v[2])});
   return most;
-}
-
-void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      y[b].v[c] += factor * d[b].v[c];
-  }
 }
 
 double slack_of(const QuadraticProgram& p, int row, const std::vector<double>& x) {

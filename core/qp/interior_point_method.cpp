@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/quad_vector.h"
+
 namespace wuerfel {
 namespace {
 
@@ -39,13 +41,6 @@ double inside(const Range& range, double lambda, double margin) {
   return std::min(std::max(lambda, range.low + margin), range.high - margin);
 }
 
-void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      y[b].v[c] += factor * d[b].v[c];
-  }
-}
-
 /// Largest distance of a row that pushes from y = 0.
 double size_of(const LeastDistance& problem) {
   double size = 0.0;
@@ -60,14 +55,12 @@ double size_of(const LeastDistance& problem) {
 
 MethodOutcome InteriorPointMethod::run(
     LeastDistance& problem, const ResidualScales& scales, double goal, bool warm, double proximal) {
-  proximal_ = proximal;
   resize(problem);
   start(problem, warm);
+  creeping_ = rounded_ = false;
+  former_mu_ = unbounded;
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
   double affine = 0.0;
-  double former_mu = unbounded;
-  bool creeping = false;
-  bool rounded = false;
   int lost = 0;
   for (int step = 0; step < most_steps; ++step) {
     const double unbalance = round_off(problem, scales);
@@ -78,11 +71,7 @@ MethodOutcome InteriorPointMethod::run(
     const double centre = force > 0.0 ? std::sqrt(mu / (force * scales.acceleration)) : 0.0;
     const bool early = outcome.worst > near || centre > outcome.worst;
     lost = worst < progress * outcome.worst || early ? 0 : lost + 1;
-    if (worst < outcome.worst) {
-      outcome.worst = worst;
-      best_ = scratch_;
-      best_y_ = y_;
-    }
+    keep_best(worst, outcome);
     if (outcome.worst <= goal) {
       outcome.end = MethodEnd::reached;
       break;
@@ -92,12 +81,12 @@ MethodOutcome InteriorPointMethod::run(
       outcome.end = MethodEnd::infeasible;
       break;
     }
-    if (find_unbalance(problem) > force * std::max(most_unbalance * centre, needless * goal))
-      rounded = true;
-    creeping = creeping || (step >= slow && mu > slow_progress * former_mu);
-    former_mu = mu;
-    proximal_ = creeping && !rounded && affine > useless_affine ? std::min(proximal, slow_proximal)
-                                                                : proximal;
+    const double tolerable = force * std::max(most_unbalance * centre, needless * goal);
+    rounded_ = find_unbalance(problem) > tolerable || rounded_;
+    creeping_ = (step >= slow && mu > slow_progress * former_mu_) || creeping_;
+    former_mu_ = mu;
+    const bool tiny = creeping_ && !rounded_ && affine > useless_affine;
+    proximal_ = tiny ? std::min(proximal, slow_proximal) : proximal;
     set_weights(problem);
     problem.factorise(weight_.data());
     ++outcome.factorisations;
@@ -109,6 +98,13 @@ MethodOutcome InteriorPointMethod::run(
   }
   solved_ = outcome.end == MethodEnd::reached;
   return outcome;
+}
+
+void InteriorPointMethod::keep_best(double worst, MethodOutcome& outcome) {
+  if (worst >= outcome.worst) return;
+  outcome.worst = worst;
+  best_ = scratch_;
+  best_y_ = y_;
 }
 
 void InteriorPointMethod::resize(const LeastDistance& problem) {

@@ -44,6 +44,7 @@ class InteriorPointMethod {
   [[nodiscard]] const std::vector<double>& multiplier() const { return best_; }
 
  private:
+  void keep_best(double worst, MethodOutcome& outcome);
   void resize(const LeastDistance& problem);
   void start(const LeastDistance& problem, bool warm);
   [[nodiscard]] double complementarity(const LeastDistance& problem) const;
@@ -58,7 +59,10 @@ class InteriorPointMethod {
 
   bool solved_ = false;
   double proximal_ = 0.0;
-  int count_ = 0;  ///< of finite ends
+  double former_mu_ = 0.0;
+  bool creeping_ = false;  ///< products hardly fall any more
+  bool rounded_ = false;   ///< K was too ill-conditioned once
+  int count_ = 0;          ///< of finite ends
   std::vector<double> lambda_, p_, q_, d_lambda_, d_p_, d_q_, weight_, rhs_, Gd_, best_, scratch_;
   std::vector<double> rest_;                      ///< h - G y
   std::vector<double> r_;                         ///< h - G y + p - q

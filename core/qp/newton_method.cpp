@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/qp/quad_vector.h"
+
 namespace wuerfel {
 namespace {
 
@@ -13,20 +15,6 @@ constexpr double dead_zone = 1e-14;  ///< times rho max|h|
 constexpr double hard_share = 0.02;
 constexpr int most_outer_steps = 100;
 constexpr double drifting = 0.5;  ///< the residual after an outer step, in parts of that before
-
-double dot(const std::vector<Quad>& a, const std::vector<Quad>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i].v[0] * b[i].v[0] + a[i].v[1] * b[i].v[1] + a[i].v[2] * b[i].v[2];
-  return sum;
-}
-
-void add(double factor, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      y[b].v[c] += factor * d[b].v[c];
-  }
-}
 
 /// The multiplier of a row that is not active.
 double bound_of(const LeastDistance& problem, std::size_t row, signed char side) {

@@ -6,10 +6,14 @@
 
 #include "core/qp/least_norm_multipliers.h"
 #include "core/qp/qp_solver.h"
+#include "tests/support/max_norm.h"
 #include "tests/support/reference_program.h"
 
 namespace wuerfel {
 namespace {
+
+using test::distance;
+using test::largest;
 
 using test::ReferenceProgram;
 
@@ -18,20 +22,6 @@ using test::ReferenceProgram;
 constexpr double acceleration_tolerance = 1e-10;
 // Relative to the largest multiplier; observed: <= 2e-11 (mass ratio 1e6).
 constexpr double force_tolerance = 1e-9;
-
-double largest(const std::vector<double>& v) {
-  double most = 0.0;
-  for (const double value : v)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = a.size() == b.size() ? 0.0 : unbounded;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
-}
 
 double objective(const QuadraticProgram& program, const std::vector<double>& x) {
   double sum = 0.0;

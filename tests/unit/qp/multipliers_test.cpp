@@ -9,25 +9,15 @@
 #include "core/qp/least_norm_multipliers.h"
 #include "core/qp/non_negative_least_squares.h"
 #include "core/qp/qp_solver.h"
+#include "tests/support/max_norm.h"
 #include "tests/support/qp_zoo.h"
 #include "tests/support/reference_program.h"
 
 namespace wuerfel {
 namespace {
 
-double largest(const std::vector<double>& v) {
-  double most = 0.0;
-  for (const double value : v)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = a.size() == b.size() ? 0.0 : unbounded;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
-}
+using test::distance;
+using test::largest;
 
 /// A beam of weight 6 held at x = -1 or so by props that push up; one block (y, angle).
 QuadraticProgram beam(const std::vector<double>& props) {

@@ -10,11 +10,15 @@
 #include <gtest/gtest.h>
 
 #include "core/qp/qp_solver.h"
+#include "tests/support/max_norm.h"
 #include "tests/support/qp_zoo.h"
 #include "tests/support/reference_program.h"
 
 namespace wuerfel {
 namespace {
+
+using test::distance;
+using test::largest;
 
 constexpr std::array all_methods{QpMethod::automatic, QpMethod::newton, QpMethod::interior_point,
                                  QpMethod::ipopt};
@@ -23,20 +27,6 @@ std::string readable(QpMethod method) {
   std::string name(to_string(method));
   std::ranges::replace(name, '-', '_');
   return name;
-}
-
-double largest(const std::vector<double>& v) {
-  double most = 0.0;
-  for (const double value : v)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
-double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = a.size() == b.size() ? 0.0 : unbounded;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
 }
 
 QpResult solved(QpMethod method, const QuadraticProgram& program) {

@@ -9,30 +9,22 @@
 #include "core/qp/block_solver.h"
 #include "core/qp/canonical_multipliers.h"
 #include "core/qp/qp_solver.h"
+#include "tests/support/max_norm.h"
 #include "tests/support/motion_programs.h"
 #include "tests/support/qp_zoo.h"
 
 namespace wuerfel {
 namespace {
 
+using test::largest;
 using test::ZooOptions;
 using test::ZooProgram;
 
-double largest(const std::vector<double>& v) {
-  double most = 0.0;
-  for (const double value : v)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
-/// max |a - b| over the largest |target|.
+/// Relative to the largest |target|.
 double distance(const QuadraticProgram& program,
                 const std::vector<double>& a,
                 const std::vector<double>& b) {
-  double most = a.size() == b.size() ? 0.0 : unbounded;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    most = std::max(most, std::abs(a[i] - b[i]));
-  return most / largest(program.target);
+  return test::distance(a, b) / test::largest(program.target);
 }
 
 // Programs of equal masses: observed <= 2e-10. Masses of ratio 1e6 make light bodies less exact:
