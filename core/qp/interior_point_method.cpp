@@ -133,6 +133,11 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
         free && is_finite(range.high) ? std::max(first_gap * size * norm, warm ? q_[i] : 0.0) : 0.0;
     count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
   }
+  find_rest(problem);
+}
+
+/// y = G' lambda and what rows miss there.
+void InteriorPointMethod::find_rest(const LeastDistance& problem) {
   problem.apply_transposed(lambda_.data(), y_.data());
   problem.apply(y_.data(), rest_.data());
   for (std::size_t i = 0; i < lambda_.size(); ++i) {

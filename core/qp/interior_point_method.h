@@ -47,6 +47,7 @@ class InteriorPointMethod {
   void keep_best(double worst, MethodOutcome& outcome);
   void resize(const LeastDistance& problem);
   void start(const LeastDistance& problem, bool warm);
+  void find_rest(const LeastDistance& problem);
   [[nodiscard]] double complementarity(const LeastDistance& problem) const;
   [[nodiscard]] double affine_complementarity(const LeastDistance& problem, double step) const;
   [[nodiscard]] double largest_force(const ResidualScales& scales) const;

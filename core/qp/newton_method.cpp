@@ -33,11 +33,7 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
   double former = unbounded;
   int lost = 0;
   for (int outer = 0; outer < most_outer_steps && minimise(problem, effort); ++outer) {
-    force_ = lambda_;
-    update_multipliers(problem);
-    double worst = worst_row(problem, scales, rest_, lambda_);
-    const bool prolonged = worst > drifting * former && rho_ >= largest_rho_ && prolong(problem);
-    if (prolonged) worst = worst_row(problem, scales, rest_, lambda_);
+    const auto [worst, prolonged] = outer_step(problem, scales, former);
     lost = worst > 0.5 * outcome.worst && rho_ >= largest_rho_ && !prolonged ? lost + 1 : 0;
     if (worst < outcome.worst) {
       outcome.worst = worst;
@@ -53,15 +49,31 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
       outcome.end = MethodEnd::infeasible;
       break;
     }
-    if (slow && rho_ < largest_rho_) {
-      rho_ *= 10.0;
-      factorised_ = false;
-    }
+    if (slow) stiffen();
   }
   if (outcome.worst <= goal && outcome.end == MethodEnd::stalled) outcome.end = MethodEnd::reached;
   outcome.factorisations = factorisations_;
   problem.apply_transposed(best_.data(), y_.data());
   return outcome;
+}
+
+/// New multipliers; their residual, and whether they went on along a drift. `former` is the
+/// residual of the step before.
+std::pair<double, bool> NewtonMethod::outer_step(const LeastDistance& problem,
+                                                 const ResidualScales& scales,
+                                                 double former) {
+  force_ = lambda_;
+  update_multipliers(problem);
+  const double worst = worst_row(problem, scales, rest_, lambda_);
+  const bool drifts = worst > drifting * former && rho_ >= largest_rho_;
+  if (!drifts || !prolong(problem)) return {worst, false};
+  return {worst_row(problem, scales, rest_, lambda_), true};
+}
+
+void NewtonMethod::stiffen() {
+  if (rho_ >= largest_rho_) return;
+  rho_ *= 10.0;
+  factorised_ = false;
 }
 
 /// Minimises phi. False if that is more than the effort allowed.

@@ -68,6 +68,10 @@ class NewtonMethod {
   void update_multipliers(const LeastDistance& problem);
   void find_rest(const LeastDistance& problem);
   bool minimise(LeastDistance& problem, const NewtonEffort& effort);
+  std::pair<double, bool> outer_step(const LeastDistance& problem,
+                                     const ResidualScales& scales,
+                                     double former);
+  void stiffen();
   bool prolong(const LeastDistance& problem);
   bool diverges(const LeastDistance& problem);
   bool inner_step(LeastDistance& problem);
