@@ -50,12 +50,28 @@ bool IslandDynamics::guess(const Island& island, Memory& memory) {
   if (!settings_.skips.warm_start || settings_.solver != QpMethod::automatic
       || settings_.formulation != Formulation::rigid || memory.pressing.empty())
     return false;
+  guess_from(island, memory);
+  return guess_.solve(builder_.program(), guess_tolerance, tight_, memory.result);
+}
+
+void IslandDynamics::guess_from(const Island& island, const Memory& memory) {
   tight_.clear();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     if (use_[k] == SideUse::none) continue;
     tight_.push_back(std::ranges::binary_search(memory.pressing, island.contacts[k].id()) ? 1 : 0);
   }
-  return guess_.solve(builder_.program(), guess_tolerance, tight_, memory.result);
+}
+
+/// Where a solver stops short of its goal it has nearly always found out which contacts press; with
+/// them as equalities the rest is one linear system.
+void IslandDynamics::finish_off(const Island& island, Memory& memory) {
+  if (settings_.solver != QpMethod::automatic || settings_.formulation != Formulation::rigid)
+    return;
+  remember_pressing(island, memory);
+  guess_from(island, memory);
+  QpResult finished;
+  if (guess_.solve(builder_.program(), QpSettings{}.tolerance, tight_, finished))
+    memory.result = std::move(finished);
 }
 
 void IslandDynamics::remember_pressing(const Island& island, Memory& memory) const {
@@ -83,6 +99,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
     if (!memory.solver) memory.solver = make_qp_solver(settings_.solver);
     if (!settings_.skips.warm_start) memory.solver->forget();
     memory.solver->solve(program, memory.result);
+    if (memory.result.status == QpStatus::inaccurate) finish_off(island, memory);
   }
   if (!solution.skipped) remember_pressing(island, memory);
   const QpResult& result = memory.result;

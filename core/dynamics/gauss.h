@@ -59,6 +59,8 @@ class IslandDynamics {
   IslandSolution solve(const State& state, const Island& island, Memories& memories);
   [[nodiscard]] bool still_passes(Memory& memory) const;
   bool guess(const Island& island, Memory& memory);
+  void guess_from(const Island& island, const Memory& memory);
+  void finish_off(const Island& island, Memory& memory);
   void remember_pressing(const Island& island, Memory& memory) const;
 
   const System* system_;

@@ -15,7 +15,6 @@ constexpr double pressed_share = 1e-3;    ///< those that were pressed do within
 constexpr double closable_share = 1e-4;   ///< gaps of pressed contacts that may be closed
 constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
 constexpr double fast_share = 0.25;  ///< pairs that move by more are candidates when near at no end
-constexpr int placements = 2;
 constexpr int most_clean_ups = 11;
 constexpr int closings = 3;
 constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
@@ -156,6 +155,17 @@ void RattleStepper::place(State& state, const State& predicted, double h, Bookke
     place_island(island, predicted, h, state, book);
 }
 
+/// Displacements are from the start.
+void RattleStepper::place_cubes(const Island& island,
+                                const IslandSolution& solution,
+                                State& state) const {
+  for (std::size_t m = 0; m < island.cubes.size(); ++m) {
+    const auto i = static_cast<std::size_t>(island.cubes[m]);
+    state[i].position = start_[i].position + solution.twists[m].linear;
+    state[i].angle = start_[i].angle + solution.twists[m].angular;
+  }
+}
+
 void RattleStepper::place_island(
     const Island& island, const State& predicted, double h, State& state, Bookkeeping& book) {
   // Where free flight touches nothing there is nothing to solve.
@@ -174,23 +184,22 @@ void RattleStepper::place_island(
   }
   Island frozen = island;
   use_.assign(island.contacts.size(), SideUse::inequality);
-  IslandSolution solution;
-  for (int k = 0; k < placements; ++k) {
-    solution = dynamics_.correction(start_, frozen, use_, targets);
-    keep_book(solution, book);
-    for (std::size_t m = 0; m < island.cubes.size(); ++m) {
-      const auto i = static_cast<std::size_t>(island.cubes[m]);
-      state[i].position = start_[i].position + solution.twists[m].linear;
-      state[i].angle = start_[i].angle + solution.twists[m].angular;
-    }
-    if (k + 1 == placements) break;
-    // Directions stay those of the start; gaps are measured where the cubes have come.
-    pose_boxes(*system_, state, end_boxes_);
-    const State moved = displacement_of(start_, state);
-    for (Contact& c : frozen.contacts) {
-      const double gap = at_poses(*system_, end_boxes_, c).gap;
-      c.gap = gap - gap_rate(c, contact_velocity(*system_, moved, c));
-    }
+  IslandSolution solution = dynamics_.correction(start_, frozen, use_, targets);
+  keep_book(solution, book);
+  place_cubes(island, solution, state);
+  // Once more: directions stay those of the start, gaps are measured where the cubes have come.
+  // Where these contradict one another the first place is as good a start for the clean-up.
+  pose_boxes(*system_, state, end_boxes_);
+  const State moved = displacement_of(start_, state);
+  for (Contact& c : frozen.contacts) {
+    const double gap = at_poses(*system_, end_boxes_, c).gap;
+    c.gap = gap - gap_rate(c, contact_velocity(*system_, moved, c));
+  }
+  IslandSolution again = dynamics_.correction(start_, frozen, use_, targets);
+  ++book.cost.qp_solves;
+  if (again.status == QpStatus::optimal) {
+    solution = std::move(again);
+    place_cubes(island, solution, state);
   }
   const double largest = std::ranges::max(solution.forces);
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {

@@ -47,6 +47,7 @@ class RattleStepper {
   void place_island(
       const Island& island, const State& predicted, double h, State& state, Bookkeeping& book);
   void close_pressed(State& state, const std::vector<Contact>& found);
+  void place_cubes(const Island& island, const IslandSolution& solution, State& state) const;
   void clean_up(State& state, double h, Bookkeeping& book);
   [[nodiscard]] bool overlaps(const std::vector<Box>& boxes, const Contact& c) const;
   void hit(State& state, double t, double h, Bookkeeping& book);
