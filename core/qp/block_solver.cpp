@@ -18,6 +18,7 @@ constexpr int most_newton_factorisations = 20;  ///< then the other method takes
 constexpr double most_wrong_guesses =
     0.2;  ///< part of the rows above which the other method takes over
 constexpr double most_wrong_guesses_of_large = 0.02;
+constexpr int most_guessing_factorisations = 12;  ///< beyond small problems, without known sides
 constexpr int most_guessing_factorisations_of_large = 8;
 constexpr int patient_newton_factorisations = 400;  ///< where there is no other method
 constexpr int patience = 30;                        ///< likewise
@@ -90,7 +91,8 @@ void BlockSolver::run(const QuadraticProgram& program,
     if (!knows_sides_ && problem_.blocks() > small_problem) {
       const bool large = problem_.blocks() > large_problem;
       effort.most_changes = large ? most_wrong_guesses_of_large : most_wrong_guesses;
-      if (large) effort.most_factorisations = most_guessing_factorisations_of_large;
+      effort.most_factorisations =
+          large ? most_guessing_factorisations_of_large : most_guessing_factorisations;
     }
     since_newton_ = 0;
     // A stalled answer may pass, but nearly degenerate programs turn it into a much larger error of

@@ -1,6 +1,6 @@
 /// How fast the solvers are, all in one run, with the residuals they reach.
 ///
-///     build/tests/qp_benchmark [--quick]
+///     build/release/tests/qp_benchmark [--quick]
 ///
 /// cold: nothing remembered but memory, so ordering and symbolic factors are part of it. warm:
 /// twelve programs that each move the contacts by up to 1e-3 and turn every normal by up to 3e-4
