@@ -31,7 +31,7 @@ IndexPair pair_of(const Contact& c) { return std::minmax(c.on, c.from); }
 }  // namespace
 
 ContactLaw::ContactLaw(const System& system, const MotionSettings& settings)
-    : system_(&system), dynamics_(system, settings) {}
+    : system_(&system), skips_(settings.skips), dynamics_(system, settings) {}
 
 void ContactLaw::apply(
     State& state, double t, const ContactLimits& limits, Closure& closure, Bookkeeping& book) {
@@ -128,6 +128,7 @@ bool ContactLaw::strike(const Island& island, State& state, double t, Bookkeepin
 }
 
 bool ContactLaw::comes_to_rest(const Island& island, State& state, Bookkeeping& book) {
+  if (!skips_.rest) return false;
   std::vector<BodyState> moving;
   for (const int cube : island.cubes) {
     BodyState& s = state[static_cast<std::size_t>(cube)];

@@ -55,6 +55,7 @@ class ContactLaw {
                    Bookkeeping& book) const;
 
   const System* system_;
+  Skips skips_;
   IslandDynamics dynamics_;
   ContactFinder finder_;
   Scales scales_;

@@ -166,6 +166,7 @@ void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
   std::iota(parent.begin(), parent.end(), 0);
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
     unite(parent, pair.first, pair.second);
+  if (!settings_.skips.islands) std::ranges::fill(parent, 0);
   parts.clear();
   std::vector<int> number(bounds_.size(), -1);
   for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) {
