@@ -1,16 +1,34 @@
 #include "app/accuracy.h"
 
+#include <cmath>
+
 #include <fmt/core.h>
 
 namespace wuerfel {
 
 ExitCode verdict_on_accuracy(const Audit& audit) {
-  if (audit.missed_solves == 0) return ExitCode::fine;
-  fmt::print(stderr,
-             "wuerfel: {} programs were solved less exactly than asked for, the worst with a "
-             "residual of {:.2g}; the result is there but over the error budget\n",
-             audit.missed_solves, audit.max_kkt_residual);
-  return ExitCode::undecided;
+  if (audit.missed_solves > 0) {
+    fmt::print(stderr,
+               "wuerfel: {} programs were solved less exactly than asked for, the worst with a "
+               "residual of {:.2g}; the result is there but over the error budget\n",
+               audit.missed_solves, audit.max_kkt_residual);
+    return ExitCode::undecided;
+  }
+  if (audit.unresolved > 0) {
+    fmt::print(stderr,
+               "wuerfel: events could not be told apart {} times; the result is there but over the "
+               "error budget (try --integrator auto or rattle)\n",
+               audit.unresolved);
+    return ExitCode::undecided;
+  }
+  if (audit.drift_budget > 0.0 && !(std::abs(audit.drift()) <= audit.drift_budget)) {
+    fmt::print(stderr,
+               "wuerfel: energy drifted by {:.2g} J, more than the {:.2g} J that the tolerance "
+               "promises; try a smaller --tolerance\n",
+               audit.drift(), audit.drift_budget);
+    return ExitCode::undecided;
+  }
+  return ExitCode::fine;
 }
 
 }  // namespace wuerfel

@@ -28,6 +28,11 @@ std::string_view to_string(EventKind kind) {
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
   ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
+  // That there is no solution is an answer.
+  if (solution.status == QpStatus::infeasible) {
+    ++book.audit.wedged;
+    return;
+  }
   book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
   if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
 }

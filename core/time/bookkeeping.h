@@ -32,10 +32,13 @@ struct Audit {
   double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
   long missed_solves = 0;         ///< programs whose residual missed the tolerance
   long unresolved = 0;            ///< times at which the event search or the error control gave up
-  double energy_start = 0.0;      ///< J
-  double energy_end = 0.0;        ///< J
-  double impact_loss = 0.0;       ///< J, taken by impacts
-  double friction_loss = 0.0;     ///< J
+  long wedged = 0;                ///< programs without any solution: cubes wedged by their turning
+  double drift_budget = 0.0;   ///< J, what the tolerance promises of |drift()|; 0 where it promises
+                               ///< nothing (stepping)
+  double energy_start = 0.0;   ///< J
+  double energy_end = 0.0;     ///< J
+  double impact_loss = 0.0;    ///< J, taken by impacts
+  double friction_loss = 0.0;  ///< J
   [[nodiscard]] double drift() const {
     return energy_end + impact_loss + friction_loss - energy_start;
   }

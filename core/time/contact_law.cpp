@@ -40,6 +40,7 @@ void ContactLaw::apply(
   closure.resting.resize(state.size(), 0);
   const std::vector<Contact> before = std::move(closure.closed);
   closure.closed.clear();
+  closure.wedged = false;
   finder_.find(*system_, state, contacts_, limits.touching);
   book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
   find_islands(*system_, contacts_, islands_);
@@ -91,7 +92,9 @@ void ContactLaw::apply_island(
     }
     return;
   }
-  close(island, settle_contacts(island, state, hit, book), closure);
+  const IslandSolution solution = settle_contacts(island, state, hit, book);
+  closure.wedged = closure.wedged || solution.status == QpStatus::infeasible;
+  close(island, solution, closure);
 }
 
 /// Removes what bodies overlap by, which is rounding, so that it cannot add up.

@@ -13,6 +13,9 @@ namespace wuerfel {
 struct Closure {
   std::vector<Contact> closed;  ///< of cubes that move; a flush pair by both corners of one side
   std::vector<char> resting;    ///< per cube: certified, v = 0 and a = 0
+  /// No accelerations keep the contacts closed: cubes turn in a place that fits them exactly. Only
+  /// positions know what happens next.
+  bool wedged = false;
 };
 
 /// What counts as touching and as still when the law is applied.

@@ -51,6 +51,7 @@ class EventMotion final : private VectorField {
   /// Certified rest, per cube, at the clock.
   [[nodiscard]] const std::vector<char>& resting() const { return closure_.resting; }
   [[nodiscard]] bool at_rest() const;
+  [[nodiscard]] bool wedged() const { return closure_.wedged; }
 
  private:
   /// Rows of a flush pair, or one row (second = -1), with what is added to the force until it has

@@ -17,6 +17,8 @@ constexpr double longest_window = 8.0;
 constexpr double first_window = 0.5;
 /// Prediction of sweeps: this much more than the path of free flight and half a L.
 constexpr double sweep_reserve = 1.2;
+/// What the tolerance promises of energy, per L / V: times that of all that moves or hangs.
+constexpr double drift_share = 10.0;
 /// Cubes within this share of their half diagonal belong together.
 constexpr double margin_share = 1e-3;
 
@@ -61,6 +63,7 @@ void add_audit(const Audit& more, Audit& audit) {
   audit.max_kkt_residual = std::max(audit.max_kkt_residual, more.max_kkt_residual);
   audit.missed_solves += more.missed_solves;
   audit.unresolved += more.unresolved;
+  audit.wedged += more.wedged;
 }
 
 }  // namespace
@@ -69,6 +72,8 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
     : system_(&system), settings_(settings), looker_(system, settings), moment_(std::move(start)) {
   scales_ = scales_of(system, moment_.state);
   length_ = first_window * scales_.time;
+  budget_ = drift_share * settings.tolerance
+            * (kinetic_energy(system, moment_.state) + scales_.weight * scales_.length);
   bounds_.resize(static_cast<std::size_t>(system.cubes));
   group_of_.assign(moment_.state.size(), -1);
   resting_.assign(moment_.state.size(), 0);
@@ -123,6 +128,8 @@ const Bookkeeping& IslandMotion::book() {
   shown_.audit = computed_.audit;
   shown_.audit.impact_loss = loss;
   shown_.cost = computed_.cost;
+  const bool stepped = settings_.integrator == Integrator::rattle || computed_.cost.hand_overs > 0;
+  shown_.audit.drift_budget = stepped ? 0.0 : budget_ * (1.0 + time_ / scales_.time);
   return shown_;
 }
 

@@ -56,6 +56,7 @@ class IslandMotion final : public Motion {
   double begin_ = 0.0;   ///< s, of the window
   double end_ = 0.0;     ///< s, up to which all groups have come
   double length_ = 0.0;  ///< s, of the next window
+  double budget_ = 0.0;  ///< J, of drift per L / V
   double time_ = 0.0;    ///< s, where the motion is looked at
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while

@@ -52,12 +52,15 @@ void Track::start(const State& state,
   last_events_ = 0;
   stepping_ = false;
   const bool always = settings_.integrator == Integrator::rattle;
-  if (events_.at_rest() || !(always || stepping.until > t)) return;
+  if (events_.at_rest()) return;
+  const bool wedged = settings_.integrator == Integrator::automatic && events_.wedged();
+  if (!(always || wedged || stepping.until > t)) return;
   stepping_ = true;
   clock_ = t;
   state_ = events_.state();
-  until_ = always ? std::numeric_limits<double>::infinity() : stepping.until;
-  step_ = always ? settings_.step : scales_.time / frames_per_time / steps_per_frame;
+  const double frame = scales_.time / frames_per_time;
+  until_ = always ? std::numeric_limits<double>::infinity() : std::max(stepping.until, t + frame);
+  step_ = always ? settings_.step : frame / steps_per_frame;
 }
 
 Track::Stepping Track::stepping() const {
@@ -91,7 +94,8 @@ void Track::count_events() {
   }
   frame_events_ += events_.events() - last_events_;
   last_events_ = events_.events();
-  if (frame_events_ > (patience_ > 1 ? most_events_again : most_events)) hand_over();
+  if (events_.wedged() || frame_events_ > (patience_ > 1 ? most_events_again : most_events))
+    hand_over();
 }
 
 void Track::hand_over() {
@@ -100,7 +104,7 @@ void Track::hand_over() {
   state_ = events_.state();
   // Soon after the last time: longer. After a long time without: as at first.
   if (clock_ - handed_back_ > most_patience * frame) patience_ = 1;
-  until_ = (static_cast<double>(frame_) + 1.0 + patience_) * frame;
+  until_ = (std::floor(clock_ / frame) + 1.0 + patience_) * frame;
   patience_ = std::min(2 * patience_, most_patience);
   step_ = frame / steps_per_frame;
   stepping_ = true;
@@ -148,6 +152,7 @@ void Track::hand_back() {
   frame_events_ = 0;
   stepping_ = false;
   events_.start(state_, clock_, {touching_share, rest_speed}, {}, book_);
+  if (events_.wedged()) hand_over();
 }
 
 State Track::at(double t) {
