@@ -131,6 +131,29 @@ CLI::App* add_reproduce(CLI::App& program, ReproduceOptions& options) {
   return app;
 }
 
+CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
+  CLI::App* app = program.add_subcommand(
+      "bench", "measure run time against error on scenes with exact answers");
+  add_value(*app, "--scenes", "A,B,..",
+            "flight, tilt, ..., overhang, tower_N, pyramid_N, wall_N, pile_N, mass_ratio_N [all]",
+            [&options](const Text& text) {
+              for (const Text& name : split_list(text))
+                options.scenes.push_back(name);
+            });
+  add_value(*app, "--methods", "A,B,..",
+            "INTEGRATOR[/FORMULATION[/SOLVER]], such as event or symplectic/points [all]",
+            [&options](const Text& text) {
+              for (const Text& name : split_list(text))
+                options.methods.push_back(name);
+            });
+  app->add_option("--csv", options.csv, "all figures as CSV")->type_name("FILE");
+  app->add_option("--plot", options.plot, "folder of plots; needs gnuplot")->type_name("DIR");
+  add_single(*app, "--budget", "S", "processor time for repeats of each row in s [0.1]",
+             [&options](const Text& text) { options.budget = parse_time("--budget", text); });
+  app->add_flag("--quiet", options.quiet, "no progress and no notes");
+  return app;
+}
+
 }  // namespace
 
 std::optional<Command> parse_command_line(int argc,
@@ -147,12 +170,14 @@ std::optional<Command> parse_command_line(int argc,
   FigureOptions figure_options;
   CompareOptions compare_options;
   ReproduceOptions reproduce_options;
+  BenchOptions bench_options;
   Text scene_name;
   const CLI::App* run_app = add_run(program, run_options);
   const CLI::App* check_app = add_check(program, check_options);
   const CLI::App* figure_app = add_figure(program, figure_options);
   const CLI::App* compare_app = add_compare(program, compare_options);
   const CLI::App* reproduce_app = add_reproduce(program, reproduce_options);
+  const CLI::App* bench_app = add_bench(program, bench_options);
   CLI::App* scenes_app =
       program.add_subcommand("scenes", "list the scenes that come along, or print one");
   scenes_app->add_option("NAME", scene_name, "scene to print")->type_name("");
@@ -175,6 +200,7 @@ std::optional<Command> parse_command_line(int argc,
   if (figure_app->parsed()) return [figure_options] { return figure(figure_options); };
   if (compare_app->parsed()) return [compare_options] { return compare(compare_options); };
   if (reproduce_app->parsed()) return [reproduce_options] { return reproduce(reproduce_options); };
+  if (bench_app->parsed()) return [bench_options] { return bench(bench_options); };
   if (scenes_app->parsed()) return [scene_name] { return scenes(scene_name); };
   return [] { return schema(); };
 }

@@ -63,6 +63,15 @@ struct ReproduceOptions {
   bool json = false;
 };
 
+struct BenchOptions {
+  std::vector<std::string> scenes;   ///< none: all
+  std::vector<std::string> methods;  ///< INTEGRATOR[/FORMULATION[/SOLVER]]; none: all
+  std::string csv;                   ///< file name, empty: not wanted, `-`: standard output
+  std::string plot;                  ///< folder, empty: no plots
+  double budget = 0.1;               ///< s of repeats for every row
+  bool quiet = false;
+};
+
 /// Simulates and writes what was asked for.
 ExitCode run(const RunOptions& options);
 /// Answers whether the scene stands.
@@ -73,6 +82,8 @@ ExitCode figure(const FigureOptions& options);
 ExitCode compare(const CompareOptions& options);
 /// Makes a picture again from what it carries and compares.
 ExitCode reproduce(const ReproduceOptions& options);
+/// Measures run time against error.
+ExitCode bench(const BenchOptions& options);
 /// Lists the scenes that come along, or prints the one named.
 ExitCode scenes(const std::string& name);
 /// Prints the JSON Schema of scenes.
