@@ -82,6 +82,8 @@ bool suits(const BenchMethod& method, const BenchScene& scene) {
   const std::size_t cubes = scene.scene.cubes.size();
   if (method.formulation == Formulation::points || method.solver == QpMethod::ipopt)
     return cubes <= most_cubes_for_slow && (has_tolerance(method.integrator) || !scene.rests);
+  if (method.solver == QpMethod::interior_point && cubes > most_cubes_for_stepping)
+    return scene.name.starts_with("tower_");  // may find no rest where forces are not unique
   if (has_tolerance(method.integrator))
     return scene.rests || cubes <= most_cubes_for_slow
            || method.integrator == Integrator::automatic;

@@ -58,10 +58,10 @@ std::string bench_csv(const std::vector<BenchRow>& rows, const BenchMachine& mac
       "event_error_s,overlap_m,energy_drift_J,residual,steps,solves,skips,status,machine,compiler,"
       "version\n";
   for (const BenchRow& row : rows) {
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},", field(row.scene), row.bodies,
-                    field(row.engine), field(row.method), number(row.tolerance), number(row.step),
-                    number(row.simulated), row.repeats, number(row.cpu), number(row.cpu_setup));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},", field(row.scene), row.bodies,
+                        field(row.engine), field(row.method), number(row.tolerance),
+                        number(row.step), number(row.simulated), row.repeats,
+                        row.repeats > 0 ? number(row.cpu) : std::string{}, number(row.cpu_setup));
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", number(row.state_error),
                         number(row.event_error), number(row.overlap), number(row.energy_drift),
                         number(row.residual), row.steps, row.solves, row.skips, field(row.status),
@@ -79,10 +79,10 @@ std::string bench_table(const std::vector<BenchRow>& rows, const BenchMachine& m
   for (const BenchRow& row : rows) {
     const std::string method =
         row.engine == "wuerfel" ? row.method : fmt::format("{} {}", row.engine, row.method);
-    text += fmt::format("{:<18} {:<34} {:<18} {:>10} {:>9} {:>9} {:>9} {:>9} {:>8}  {}\n",
-                        row.scene, method, setting_text(row), time_text(row.cpu),
-                        brief(row.state_error), brief(row.event_error), brief(row.overlap),
-                        brief(row.energy_drift), row.steps, row.status);
+    text += fmt::format(
+        "{:<18} {:<34} {:<18} {:>10} {:>9} {:>9} {:>9} {:>9} {:>8}  {}\n", row.scene, method,
+        setting_text(row), row.repeats > 0 ? time_text(row.cpu) : "-", brief(row.state_error),
+        brief(row.event_error), brief(row.overlap), brief(row.energy_drift), row.steps, row.status);
   }
   return text;
 }
