@@ -8,11 +8,8 @@ namespace {
 
 /// Smooth phases are integrated to this share of the tolerance that the user asked for.
 constexpr double inner_share = 0.01;
-/// Overlaps of flush sides shorter than this share of a side have one end.
-constexpr double touching_share = 1e-10;
 /// A force that starts below this share of the weight is watched from where it has left zero.
 constexpr double zero_force = 1e-11;
-constexpr double armed_times = 3.0;
 /// Growth and shrinking of steps (Hairer, Norsett, Wanner, section II.4).
 constexpr double safety = 0.9;
 constexpr double most_growth = 6.0;
@@ -38,50 +35,6 @@ constexpr double found_share = 1e-13;
 constexpr int most_bisections = 100;
 constexpr double opening_width = 1e-10;
 
-void pack(const State& state, std::vector<double>& y) {
-  y.resize(components * state.size());
-  double* at = y.data();
-  for (const BodyState& s : state) {
-    at[0] = s.position.x();
-    at[1] = s.position.y();
-    at[2] = s.angle;
-    at[3] = s.velocity.x();
-    at[4] = s.velocity.y();
-    at[5] = s.spin;
-    at += components;
-  }
-}
-
-void unpack(const std::vector<double>& y, State& state) {
-  const double* at = y.data();
-  for (BodyState& s : state) {
-    s.position = {at[0], at[1]};
-    s.angle = at[2];
-    s.velocity = {at[3], at[4]};
-    s.spin = at[5];
-    at += components;
-  }
-}
-
-}  // namespace
-
-void look_at(const DenseStep& motion, double share, State& state) {
-  std::size_t at = 0;
-  for (BodyState& s : state) {
-    s.position = {motion.component(share, at), motion.component(share, at + 1)};
-    s.angle = motion.component(share, at + 2);
-    s.velocity = {motion.component(share, at + 3), motion.component(share, at + 4)};
-    s.spin = motion.component(share, at + 5);
-    at += components;
-  }
-}
-
-void look_at(const MotionPiece& piece, double share, State& state) {
-  look_at(piece.motion, share, state);
-}
-
-namespace {
-
 /// x^(-1/8), from square roots.
 double eighth_root_inverse(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
 
@@ -94,7 +47,9 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       closed_(system),
       looker_(system),
       search_(system),
-      openings_(system, settings) {}
+      openings_(system, settings),
+      holds_(system),
+      next_holds_(system) {}
 
 void EventMotion::start(const State& state,
                         double t,
@@ -136,16 +91,9 @@ void EventMotion::begin_phase(const ContactLimits& limits, Bookkeeping& book) {
   fall_ = first_fall * scales_.time;
   if (step_ <= 0.0) step_ = first_step * scales_.time;
   pack(state_, y_);
-  find_holds();
   pull_ = std::numeric_limits<double>::infinity();
   (*this)(y_, rate_);
-  const double zero = zero_force * scales_.weight;
-  for (Hold& hold : holds_) {
-    const std::array<double, 2> force = hold_forces(hold);
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (force[k] <= armed_times * zero) hold.offset[k] = zero + std::max(0.0, -force[k]);
-    }
-  }
+  holds_.begin(closed_, zero_force * scales_.weight);
 }
 
 void EventMotion::operator()(const std::vector<double>& y, std::vector<double>& rate) {
@@ -163,60 +111,7 @@ void EventMotion::operator()(const std::vector<double>& y, std::vector<double>& 
     at[5] = a.angular;
     at += components;
   }
-  if (!holds_.empty()) pull_ = std::min(pull_, smallest(holds_));
-}
-
-void EventMotion::find_holds() {
-  holds_.clear();
-  const std::vector<Contact>& contacts = closed_.contacts();
-  for (int k = 0; k < static_cast<int>(contacts.size()); ++k) {
-    const Contact& c = contacts[static_cast<std::size_t>(k)];
-    Hold hold;
-    hold.first = k;
-    if (system_->body(c.from).kind != BodyKind::plane
-        && k + 1 < static_cast<int>(contacts.size())) {
-      const Contact& d = contacts[static_cast<std::size_t>(k + 1)];
-      if (d.on == c.on && d.from == c.from) hold.second = ++k;
-    }
-    holds_.push_back(hold);
-  }
-}
-
-/// Forces of a contact, or at the two ends of a flush pair's overlap, to which the forces on the
-/// corners of its rows are moved by the law of the lever.
-std::array<double, 2> EventMotion::hold_forces(const Hold& hold) const {
-  const auto first = static_cast<std::size_t>(hold.first);
-  const double f = closed_.forces()[first];
-  if (hold.second < 0) return {f, f};
-  const auto second = static_cast<std::size_t>(hold.second);
-  const double g = closed_.forces()[second];
-  const Contact& c = closed_.contacts()[first];
-  const double s_1 = c.alpha * c.length;
-  const double s_2 = closed_.contacts()[second].alpha * c.length;
-  const double low = std::max(0.0, std::min(s_1, s_2));
-  const double high = std::min(c.length, std::max(s_1, s_2));
-  if (high - low <= touching_share * c.length) return {f + g, f + g};
-  const double moment = f * s_1 + g * s_2;
-  return {((f + g) * high - moment) / (high - low), (moment - (f + g) * low) / (high - low)};
-}
-
-double EventMotion::smallest(const std::vector<Hold>& holds) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Hold& hold : holds) {
-    const std::array<double, 2> force = hold_forces(hold);
-    least = std::min({least, force[0] + hold.offset[0], force[1] + hold.offset[1]});
-  }
-  return least;
-}
-
-/// Forces that have left zero are watched from now on as they are.
-void EventMotion::arm(std::vector<Hold>& holds) const {
-  for (Hold& hold : holds) {
-    const std::array<double, 2> force = hold_forces(hold);
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (force[k] > armed_times * zero_force * scales_.weight) hold.offset[k] = 0.0;
-    }
-  }
+  if (!holds_.empty()) pull_ = std::min(pull_, holds_.smallest(closed_));
 }
 
 void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
@@ -320,7 +215,7 @@ void EventMotion::complete_step(double h) {
   pack(next_, next_y_);
   (*this)(next_y_, next_rate_);
   next_holds_ = holds_;
-  arm(next_holds_);
+  next_holds_.arm(closed_);
   method_.dense(*this, y_, next_rate_, dense_);
   range_.resize(state_.size());
   for (std::size_t i = 0; i < range_.size(); ++i) {
@@ -365,7 +260,7 @@ double EventMotion::reach_release(double length) {
   for (int k = 0; k < most_corrections; ++k) {
     restep(length);
     if (closed_.redundant()) break;
-    const double force = hold_at(next_, holds_);
+    const double force = hold_at(next_);
     const double ahead = 1e-6 * scales_.time;
     State later = next_;
     for (std::size_t i = 0; i < later.size(); ++i) {
@@ -376,7 +271,7 @@ double EventMotion::reach_release(double length) {
       later[i].velocity += ahead * Vec2(r[3], r[4]);
       later[i].spin += ahead * r[5];
     }
-    const double rate = (hold_at(later, holds_) - force) / ahead;
+    const double rate = (hold_at(later) - force) / ahead;
     if (rate >= 0.0) break;
     const double correction = -force / rate;
     if (std::abs(correction) <= 1e-13 * scales_.time) break;
@@ -386,9 +281,9 @@ double EventMotion::reach_release(double length) {
   return length_;
 }
 
-double EventMotion::hold_at(const State& state, const std::vector<Hold>& holds) {
+double EventMotion::hold_at(const State& state) {
   closed_.accelerate(state, accelerations_);
-  return smallest(holds);
+  return holds_.smallest(closed_);
 }
 
 /// Share of the step at which the first force vanishes.
@@ -396,7 +291,7 @@ std::optional<double> EventMotion::first_release(double until) {
   State state = state_;
   const auto force_at = [&](double share) {
     look_at(dense_, share, state);
-    return hold_at(state, holds_);
+    return hold_at(state);
   };
   double low = 0.0;
   double high = 0.0;
@@ -412,7 +307,7 @@ std::optional<double> EventMotion::first_release(double until) {
   }
   if (at_high >= 0.0) {
     // The polynomial may miss by rounding what the state at the end shows.
-    if (until == 1.0 && hold_at(next_, holds_) < 0.0) return 1.0;
+    if (until == 1.0 && hold_at(next_) < 0.0) return 1.0;
     return {};
   }
   // False position with the bracket halved where that is slow.
@@ -444,7 +339,7 @@ bool EventMotion::opens_at(double share, Bookkeeping& book) {
   look_at(dense_, share, state);
   closed_.project_positions(state);
   closed_.project_velocities(state);
-  finder_.find(*system_, state, contacts_, touching_share);
+  finder_.find(*system_, state, contacts_, ContactLimits{}.touching);
   std::erase_if(contacts_, [&](const Contact& c) {
     if (contact_motion(*system_, state, c) != ContactMotion::resting) return true;
     return std::ranges::none_of(closed_.contacts(), [&](const Contact& d) {
@@ -491,7 +386,7 @@ void EventMotion::finish(double elapsed, bool event, Bookkeeping& book) {
 State EventMotion::look(const MotionPiece& piece, double t) {
   State state = piece.start;
   if (t <= piece.begin) return state;
-  look_at(piece, (t - piece.begin) / piece.length, state);
+  look_at(piece.motion, (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty()) {
     looker_.close(piece.closed, {});
     looker_.project_positions(state);

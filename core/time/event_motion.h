@@ -8,22 +8,10 @@
 #include "core/dynamics/closed_contacts.h"
 #include "core/time/contact_law.h"
 #include "core/time/event_search.h"
+#include "core/time/holds.h"
+#include "core/time/motion_piece.h"
 
 namespace wuerfel {
-
-/// A stretch of a motion, to be looked at anywhere until the next one begins.
-struct MotionPiece {
-  enum class Kind { smooth, stepped, rest };
-  Kind kind = Kind::smooth;
-  double begin = 0.0;   ///< s
-  double length = 0.0;  ///< s, of the polynomial; an event may have cut it short
-  State start;
-  DenseStep motion;             ///< of a smooth piece
-  std::vector<Contact> closed;  ///< contacts that stay closed in a smooth piece
-};
-
-/// State of a smooth piece at a share of its length, not yet projected.
-void look_at(const MotionPiece& piece, double share, State& state);
 
 class EventMotion final : private VectorField {
  public:
@@ -54,21 +42,9 @@ class EventMotion final : private VectorField {
   [[nodiscard]] bool wedged() const { return closure_.wedged; }
 
  private:
-  /// Rows of a flush pair, or one row (second = -1), with what is added to the force until it has
-  /// left zero.
-  struct Hold {
-    int first = 0;
-    int second = -1;
-    std::array<double, 2> offset{};
-  };
-
   void operator()(const std::vector<double>& y, std::vector<double>& rate) override;
   void begin_phase(const ContactLimits& limits, Bookkeeping& book);
-  void find_holds();
-  [[nodiscard]] std::array<double, 2> hold_forces(const Hold& hold) const;
-  [[nodiscard]] double smallest(const std::vector<Hold>& holds) const;
-  [[nodiscard]] double hold_at(const State& state, const std::vector<Hold>& holds);
-  void arm(std::vector<Hold>& holds) const;
+  [[nodiscard]] double hold_at(const State& state);
   void fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   void integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   double controlled_step(double h, Bookkeeping& book);
@@ -99,12 +75,12 @@ class EventMotion final : private VectorField {
   std::vector<double> y_;     ///< the same, packed
   std::vector<double> rate_;  ///< its rate
   std::vector<double> scale_;
-  std::vector<Hold> holds_;
+  Holds holds_;
 
   State next_;  ///< at the end of the step that is being taken
   std::vector<double> next_y_;
   std::vector<double> next_rate_;
-  std::vector<Hold> next_holds_;
+  Holds next_holds_;
   std::vector<TwistRange> range_;
   DenseStep dense_;
   double length_ = 0.0;  ///< s, of that step

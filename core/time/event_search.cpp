@@ -23,115 +23,6 @@ constexpr double same_share = 1e-14;
 constexpr double found_share = 1e-13;
 constexpr int most_intervals = 4000;
 
-/// Value and rate of a corner of `b` against side `side` of `a`.
-Reading corner_reading(
-    const MovingBox& b, int corner, const MovingBox& a, int side, Watch::Kind kind) {
-  const Vec2 r = b.box.arm[static_cast<std::size_t>(corner)];
-  const Vec2 d = (b.box.center - a.box.center) + r;
-  const Vec2 d_rate = b.velocity - a.velocity + b.spin * perp(r);
-  const Vec2 n = a.box.normal(side);
-  if (kind == Watch::Kind::gap || kind == Watch::Kind::separation) {
-    return {n.dot(d) - a.box.reach(side), n.dot(d_rate) + a.spin * perp(n).dot(d)};
-  }
-  // From p_i to p_j: the normal is perp(p_j - p_i).
-  const Vec2 t = -perp(n);
-  const Reading along{t.dot(d), t.dot(d_rate) + a.spin * perp(t).dot(d)};
-  const double half = 0.5 * a.box.length(side);
-  if (kind == Watch::Kind::to_start) return {half + along.value, along.rate};
-  return {half - along.value, -along.rate};
-}
-
-/// The corner of `b` nearest to side e of `a`.
-int nearest_to_side(const Box& a, int e, const Box& b) {
-  const Vec2 n = a.normal(e);
-  int best = 0;
-  double least = n.dot(b.arm[0]);
-  for (int k = 1; k < 4; ++k) {
-    const double height = n.dot(b.arm[static_cast<std::size_t>(k)]);
-    if (height < least) {
-      least = height;
-      best = k;
-    }
-  }
-  return best;
-}
-
-/// One of the eight sides of a pair: 0 .. 3 of the first body, 4 .. 7 of the second.
-struct PairSide {
-  const MovingBox* from;
-  const MovingBox* on;
-  int side;
-};
-
-/// A watched function at one moment of the step.
-struct Look {
-  double share = 0.0;
-  Reading reading;
-  MovingBox on;  ///< of separations
-  MovingBox from;
-  int pair_side = 0;  ///< the side that separates
-};
-
-PairSide pair_side(const Look& look, int index) {
-  if (index < 4) return {&look.from, &look.on, index};
-  return {&look.on, &look.from, index - 4};
-}
-
-/// Whether a function without a zero at both ends, with |second derivative| <= curvature, has none
-/// between. The first zero that is possible after the one end lies beyond the last that is possible
-/// before the other.
-bool no_zero_between(const Reading& a, const Reading& b, double width, double curvature) {
-  if (a.value <= 0.0 || b.value <= 0.0) return false;
-  if (curvature * width * width <= 1e-12 * std::min(a.value, b.value) && a.rate * width > -a.value
-      && b.rate * width < b.value)
-    return true;
-  const double after =
-      (a.rate + std::sqrt(a.rate * a.rate + 2.0 * curvature * a.value)) / curvature;
-  const double before =
-      (-b.rate + std::sqrt(b.rate * b.rate + 2.0 * curvature * b.value)) / curvature;
-  return after + before >= width;
-}
-
-/// A separation has no zero where one side keeps all corners of the other body outside.
-bool side_stays_clear(const Look& a,
-                      const Look& b,
-                      int index,
-                      double shift,
-                      double width,
-                      double length,
-                      double curvature) {
-  const PairSide at_a = pair_side(a, index);
-  const PairSide at_b = pair_side(b, index);
-  for (int k = 0; k < 4; ++k) {
-    Reading from = corner_reading(*at_a.on, k, *at_a.from, at_a.side, Watch::Kind::gap);
-    Reading to = corner_reading(*at_b.on, k, *at_b.from, at_b.side, Watch::Kind::gap);
-    from = {from.value + shift, from.rate * length};
-    to = {to.value + shift, to.rate * length};
-    if (!no_zero_between(from, to, width, curvature)) return false;
-  }
-  return true;
-}
-
-Look look_at_separation(const MovingBox& from, const MovingBox& on, double share) {
-  Look look;
-  look.share = share;
-  look.from = from;
-  look.on = on;
-  double best = side_separation(from.box, 0, on.box);
-  for (int index = 1; index < 8; ++index) {
-    const PairSide s = pair_side(look, index);
-    const double here = side_separation(s.from->box, s.side, s.on->box);
-    if (here > best) {
-      best = here;
-      look.pair_side = index;
-    }
-  }
-  const PairSide s = pair_side(look, look.pair_side);
-  look.reading = corner_reading(*s.on, nearest_to_side(s.from->box, s.side, s.on->box), *s.from,
-                                s.side, Watch::Kind::gap);
-  return look;
-}
-
 /// A plane is looked at as a box without extent, whose side of this number faces out.
 constexpr int plane_side = 2;
 
@@ -184,7 +75,7 @@ Reading EventSearch::read(const State& state, const Watch& watch) const {
   const MovingBox from = body_of(state, watch.from);
   Reading reading = watch.kind == Watch::Kind::separation
                         ? look_at_separation(from, on, 0.0).reading
-                        : corner_reading(on, watch.corner, from, watch.side, watch.kind);
+                        : read_corner(on, watch.corner, from, watch.side, watch.kind);
   reading.value += watch.shift;
   return reading;
 }
@@ -366,7 +257,7 @@ void EventSearch::search(const WatchedStep& step, Watch& watch, std::optional<Cr
     if (pair) return look_at_separation(from, on, share);
     Look look;
     look.share = share;
-    look.reading = corner_reading(on, watch.corner, from, watch.side, watch.kind);
+    look.reading = read_corner(on, watch.corner, from, watch.side, watch.kind);
     return look;
   };
   double shift = watch.shift;
@@ -376,9 +267,9 @@ void EventSearch::search(const WatchedStep& step, Watch& watch, std::optional<Cr
   const auto clear = [&](const Look& a, const Look& b) {
     const double width = b.share - a.share;
     if (!pair) return no_zero_between(scaled(a), scaled(b), width, curve);
-    return side_stays_clear(a, b, a.pair_side, shift, width, length, curve)
+    return side_stays_clear(a, b, a.pair_side, shift, length, curve)
            || (b.pair_side != a.pair_side
-               && side_stays_clear(a, b, b.pair_side, shift, width, length, curve));
+               && side_stays_clear(a, b, b.pair_side, shift, length, curve));
   };
   std::vector<std::pair<Look, Look>> open;
   open.emplace_back(look_at(0.0), look_at(first ? first->share : 1.0));

@@ -5,50 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "core/constraints/contact.h"
-#include "core/time/dop853.h"
+#include "core/time/motion_piece.h"
+#include "core/time/watch.h"
 
 namespace wuerfel {
-
-/// Components of a cube in the vector of a step: x, y, theta, then their rates.
-inline constexpr std::size_t components = 6;
-
-/// Where a body is and how it moves.
-struct MovingBox {
-  Box box;
-  Vec2 velocity = Vec2::Zero();
-  double spin = 0.0;
-};
-
-/// A function of the motion that is positive until an event happens.
-struct Watch {
-  enum class Kind {
-    separation,  ///< of two boxes that do not touch, over all sides
-    gap,         ///< of a corner from the line of a side
-    to_start,    ///< of a corner along a side, from the side's p_i
-    to_end,      ///< of a corner along a side, to the side's p_j
-  };
-  Kind kind = Kind::separation;
-  int on = 0;  ///< body of the corner; of a separation the body with the smaller number
-  int from = 0;
-  int corner = 0;
-  int side = 0;
-  double shift = 0.0;  ///< m; added until the function has left zero, where it starts from there
-
-  [[nodiscard]] bool same_place(const Watch& o) const {
-    return kind == o.kind && on == o.on && from == o.from && corner == o.corner && side == o.side;
-  }
-};
 
 struct Crossing {
   double share = 1.0;  ///< of the step
   Watch watch;
-};
-
-/// Value (m) and rate (m/s) of a watched function, with its shift.
-struct Reading {
-  double value = 0.0;
-  double rate = 0.0;
 };
 
 /// Range of a cube's accelerations within a step.

@@ -193,7 +193,7 @@ void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
     // Between its ends a smooth piece leaves the chord: it is looked at along the way.
     state = piece->start;
     for (int k = 1; k < looks_per_piece; ++k) {
-      look_at(*piece, (end - piece->begin) / piece->length * k / looks_per_piece, state);
+      look_at(piece->motion, (end - piece->begin) / piece->length * k / looks_per_piece, state);
       add(state);
     }
   }
