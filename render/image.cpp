@@ -20,12 +20,10 @@ Image::Image(int width, int height, Color color) : width_(width), height_(height
                       + std::to_string(largest_side));
   }
   bytes_.resize(offset(0, height));
-  for (std::size_t i = 0; i < bytes_.size(); i += 4) {
-    bytes_[i] = color.r;
-    bytes_[i + 1] = color.g;
-    bytes_[i + 2] = color.b;
-    bytes_[i + 3] = color.a;
-  }
+  for (int x = 0; x < width; ++x)
+    set(x, 0, color);
+  for (int y = 1; y < height; ++y)
+    std::copy_n(row(0), offset(0, 1), row(y));
 }
 
 void Image::set(int x, int y, Color color) {
