@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/time/contact_changes.h"
+
 namespace wuerfel {
 namespace {
 
@@ -65,7 +67,7 @@ void ContactLaw::apply(
     ++book.cost.skipped_free;
     closure.resting[i] = !falls && state[i].velocity.isZero(0.0) && state[i].spin == 0.0 ? 1 : 0;
   }
-  log_changes(before, closure, t, first_event, book);
+  log_changes(*system_, before, closure.closed, closure.resting, t, first_event, book);
 }
 
 void ContactLaw::apply_island(
@@ -268,48 +270,6 @@ void ContactLaw::close(const Island& island,
     } else {
       both(c.from, c.on, c.side, facing);
     }
-  }
-}
-
-/// Contacts that came or went without an impulse.
-void ContactLaw::log_changes(const std::vector<Contact>& before,
-                             const Closure& after,
-                             double t,
-                             std::size_t first_event,
-                             Bookkeeping& book) const {
-  const auto count = [](const std::vector<Contact>& contacts, const IndexPair& pair) {
-    return std::ranges::count_if(contacts, [&](const Contact& c) { return pair_of(c) == pair; });
-  };
-  const auto hit = [&](const IndexPair& pair) {
-    return std::any_of(book.events.begin() + static_cast<std::ptrdiff_t>(first_event),
-                       book.events.end(), [&](const Event& e) {
-                         const auto& a = system_->body(pair.first).name;
-                         const auto& b = system_->body(pair.second).name;
-                         return (e.on == a && e.from == b) || (e.on == b && e.from == a);
-                       });
-  };
-  const auto rests = [&](int body) {
-    return !system_->is_cube(body) || after.resting[static_cast<std::size_t>(body)] != 0;
-  };
-  const auto log = [&](const Contact& c, EventKind kind) {
-    book.events.push_back(
-        {t, kind, system_->body(c.on).name, system_->body(c.from).name, c.point, 0.0, 0.0});
-  };
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const IndexPair pair = pair_of(before[k]);
-    if (k > 0 && pair_of(before[k - 1]) == pair) continue;
-    if (rests(pair.first) && rests(pair.second)) continue;
-    if (count(after.closed, pair) < count(before, pair) && !hit(pair)) {
-      const bool off = before[k].alpha <= 1e-9 || before[k].alpha >= 1.0 - 1e-9;
-      log(before[k], off && count(before, pair) == 1 ? EventKind::slide_off : EventKind::release);
-    }
-  }
-  if (t == 0.0) return;
-  for (std::size_t k = 0; k < after.closed.size(); ++k) {
-    const IndexPair pair = pair_of(after.closed[k]);
-    if (k > 0 && pair_of(after.closed[k - 1]) == pair) continue;
-    if (count(after.closed, pair) > count(before, pair) && !hit(pair))
-      log(after.closed[k], EventKind::touch);
   }
 }
 

@@ -51,11 +51,6 @@ class ContactLaw {
                       std::span<const SideUse> use,
                       Bookkeeping& book);
   void close(const Island& island, const IslandSolution& solution, Closure& closure) const;
-  void log_changes(const std::vector<Contact>& before,
-                   const Closure& after,
-                   double t,
-                   std::size_t first_event,
-                   Bookkeeping& book) const;
 
   const System* system_;
   Skips skips_;

@@ -47,7 +47,7 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       closed_(system),
       looker_(system),
       search_(system),
-      openings_(system, settings),
+      opening_(system, settings),
       holds_(system),
       next_holds_(system) {}
 
@@ -324,37 +324,19 @@ std::optional<double> EventMotion::first_release(double until) {
 /// Share of the step from which on redundant contacts open. Negative forces alone are no reason:
 /// other forces may do the same. The program with inequalities decides.
 std::optional<double> EventMotion::first_opening(double until, Bookkeeping& book) {
-  if (!opens_at(until, book)) return {};
+  State state = state_;
+  const auto opens_at = [&](double share) {
+    look_at(dense_, share, state);
+    return opening_.opens(state, closed_, opening_share * scales_.gravity, book);
+  };
+  if (!opens_at(until)) return {};
   double low = 0.0;
   double high = until;
   while (high - low > opening_width) {
     const double at = 0.5 * (low + high);
-    (opens_at(at, book) ? high : low) = at;
+    (opens_at(at) ? high : low) = at;
   }
   return high;
-}
-
-bool EventMotion::opens_at(double share, Bookkeeping& book) {
-  State state = state_;
-  look_at(dense_, share, state);
-  closed_.project_positions(state);
-  closed_.project_velocities(state);
-  finder_.find(*system_, state, contacts_, ContactLimits{}.touching);
-  std::erase_if(contacts_, [&](const Contact& c) {
-    if (contact_motion(*system_, state, c) != ContactMotion::resting) return true;
-    return std::ranges::none_of(closed_.contacts(), [&](const Contact& d) {
-      return std::minmax(c.on, c.from) == std::minmax(d.on, d.from);
-    });
-  });
-  find_islands(*system_, contacts_, islands_);
-  std::vector<SideUse> use;
-  for (const Island& island : islands_) {
-    use.assign(island.contacts.size(), SideUse::inequality);
-    const IslandSolution solution = openings_.accelerations(state, island, use);
-    keep_book(solution, book);
-    if (std::ranges::max(solution.slacks) > opening_share * scales_.gravity) return true;
-  }
-  return false;
 }
 
 void EventMotion::add_piece(std::deque<MotionPiece>& pieces) const {

@@ -10,6 +10,7 @@
 #include "core/time/event_search.h"
 #include "core/time/holds.h"
 #include "core/time/motion_piece.h"
+#include "core/time/opening_test.h"
 
 namespace wuerfel {
 
@@ -54,7 +55,6 @@ class EventMotion final : private VectorField {
   double reach_release(double length);
   [[nodiscard]] std::optional<double> first_release(double until);
   [[nodiscard]] std::optional<double> first_opening(double until, Bookkeeping& book);
-  bool opens_at(double share, Bookkeeping& book);
   void add_piece(std::deque<MotionPiece>& pieces) const;
   void finish(double elapsed, bool event, Bookkeeping& book);
 
@@ -65,8 +65,7 @@ class EventMotion final : private VectorField {
   ClosedContacts looker_;  ///< for looks between steps
   EventSearch search_;
   Dop853 method_;
-  IslandDynamics openings_;
-  ContactFinder finder_;
+  OpeningTest opening_;
   Scales scales_;
   Closure closure_;
 
@@ -87,8 +86,6 @@ class EventMotion final : private VectorField {
 
   State scratch_;
   std::vector<Twist> accelerations_;
-  std::vector<Contact> contacts_;
-  std::vector<Island> islands_;
   double step_ = 0.0;  ///< s, proposed length of the next step
   double fall_ = 0.0;  ///< s, of the next free fall
   double pull_ = 0.0;  ///< smallest hold since it was reset

@@ -8,13 +8,11 @@ namespace wuerfel {
 namespace {
 
 // Shares of the smaller side of a pair.
-constexpr double near_share = 1e-2;       ///< nearer pairs are candidates
 constexpr double overlap_share = 1e-10;   ///< overlap that is left
 constexpr double touching_share = 1e-8;   ///< nearer contacts take part in the velocity program
 constexpr double pressed_share = 1e-3;    ///< those that were pressed do within this distance
 constexpr double closable_share = 1e-4;   ///< gaps of pressed contacts that may be closed
 constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
-constexpr double fast_share = 0.25;  ///< pairs that move by more are candidates when near at no end
 constexpr int most_clean_ups = 11;
 constexpr int closings = 3;
 constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
@@ -35,7 +33,7 @@ State displacement_of(const State& from, const State& to) {
 }  // namespace
 
 RattleStepper::RattleStepper(const System& system, const MotionSettings& settings)
-    : system_(&system), dynamics_(system, settings), closed_(system) {}
+    : system_(&system), dynamics_(system, settings), closed_(system), near_(system) {}
 
 double RattleStepper::longest_step(const State& state) const {
   double fastest = 0.0;
@@ -65,7 +63,7 @@ double RattleStepper::step(State& state, double t, double h, Bookkeeping& book) 
     s.position += h * (s.velocity + 0.5 * h * system_->gravity);
     s.angle += h * s.spin;
   }
-  find_candidates(predicted, h);
+  near_.find(start_, predicted, h, scales_.gravity);
   place(state, predicted, h, book);
   clean_up(state, h, book);
   for (std::size_t i = 0; i < state.size(); ++i) {
@@ -79,78 +77,13 @@ double RattleStepper::step(State& state, double t, double h, Bookkeeping& book) 
   return rise;
 }
 
-void RattleStepper::find_candidates(const State& predicted, double h) {
-  pose_boxes(*system_, start_, boxes_);
-  pose_boxes(*system_, predicted, predicted_boxes_);
-  bounds_.clear();
-  candidates_.clear();
-  for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const Box& from = boxes_[at];
-    const Box& to = predicted_boxes_[at];
-    const auto extent = [](const Box& box) {
-      return Vec2(box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                  + Vec2::Constant(near_share * box.smaller_side()));
-    };
-    bounds_.push_back({(from.center - extent(from)).cwiseMin(to.center - extent(to)),
-                       (from.center + extent(from)).cwiseMax(to.center + extent(to))});
-  }
-  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    if (system_->is_cube(pair.first)) add_pair(pair, h);
-  }
-  add_planes();
-}
-
-void RattleStepper::add_pair(const IndexPair& pair, double h) {
-  const auto i = static_cast<std::size_t>(pair.first);
-  const auto j = static_cast<std::size_t>(pair.second);
-  const double side = std::min(boxes_[i].smaller_side(), boxes_[j].smaller_side());
-  const Vec2 relative = (predicted_boxes_[i].center - boxes_[i].center)
-                        - (predicted_boxes_[j].center - boxes_[j].center);
-  const bool near = separation(boxes_[i], boxes_[j]) < near_share * side
-                    || separation(predicted_boxes_[i], predicted_boxes_[j]) < near_share * side
-                    || relative.norm() > fast_share * side;
-  if (!near) return;
-  const auto spin = [&](int body) {
-    return system_->is_cube(body) ? std::abs(start_[static_cast<std::size_t>(body)].spin) : 0.0;
-  };
-  // Sides that may become flush within the step: a second corner on sides that are not gives a
-  // false impulse when a corner passes the end of an edge.
-  const double flush =
-      2.0 * h * (spin(pair.first) + spin(pair.second)) + 30.0 * scales_.gravity * h * h / side;
-  add_near_contacts(boxes_, pair.first, pair.second, flush, candidates_);
-}
-
-void RattleStepper::add_planes() {
-  for (int p = 0; p < system_->count(); ++p) {
-    const Body& plane = system_->body(p);
-    if (plane.kind != BodyKind::plane) continue;
-    for (int i = 0; i < system_->cubes; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const double near = near_share * boxes_[at].smaller_side();
-      for (int k = 0; k < 4; ++k) {
-        const auto gap = [&](const Box& box) {
-          return plane.normal.dot((box.center - plane.point)
-                                  + box.arm[static_cast<std::size_t>(k)]);
-        };
-        if (gap(boxes_[at]) >= near && gap(predicted_boxes_[at]) >= near) continue;
-        Contact c;
-        c.on = i;
-        c.from = p;
-        c.corner = k;
-        candidates_.push_back(at_poses(*system_, boxes_, c));
-      }
-    }
-  }
-}
-
 void RattleStepper::place(State& state, const State& predicted, double h, Bookkeeping& book) {
   for (std::size_t i = 0; i < state.size(); ++i) {
     state[i].position = predicted[i].position;
     state[i].angle = predicted[i].angle;
   }
   pressed_.clear();
-  find_islands(*system_, candidates_, islands_);
+  find_islands(*system_, near_.contacts(), islands_);
   for (const Island& island : islands_)
     place_island(island, predicted, h, state, book);
 }
@@ -170,7 +103,7 @@ void RattleStepper::place_island(
     const Island& island, const State& predicted, double h, State& state, Bookkeeping& book) {
   // Where free flight touches nothing there is nothing to solve.
   const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
-    return at_poses(*system_, predicted_boxes_, c).gap < 0.0;
+    return at_poses(*system_, near_.predicted_boxes(), c).gap < 0.0;
   });
   if (free) {
     ++book.cost.skipped_certificate;
@@ -248,14 +181,14 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
     for (const Contact& c : found) {
       if (system_->body(c.from).kind == BodyKind::plane) continue;
       const IndexPair pair = std::minmax(c.on, c.from);
-      const bool known = std::ranges::any_of(candidates_, [&](const Contact& d) {
+      const bool known = std::ranges::any_of(near_.contacts(), [&](const Contact& d) {
         return IndexPair(std::minmax(d.on, d.from)) == pair;
       });
-      if (!known) add_near_contacts(boxes_, pair.first, pair.second, h, candidates_);
+      if (!known) near_.add(pair, h);
     }
     pose_boxes(*system_, state, end_boxes_);
     contacts_.clear();
-    for (const Contact& c : candidates_) {
+    for (const Contact& c : near_.contacts()) {
       const Contact now = at_poses(*system_, end_boxes_, c);
       if (now.gap < pressed_share * contact_scale(*system_, c)
           && (now.gap >= 0.0 || overlaps(end_boxes_, now)))

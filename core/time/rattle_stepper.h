@@ -15,6 +15,7 @@
 #include "core/dynamics/closed_contacts.h"
 #include "core/dynamics/gauss.h"
 #include "core/time/bookkeeping.h"
+#include "core/time/near_contacts.h"
 #include "core/time/scales.h"
 
 namespace wuerfel {
@@ -40,9 +41,6 @@ class RattleStepper {
     Contact contact;
     double impulse = 0.0;  ///< N s, of the position program
   };
-  void find_candidates(const State& predicted, double h);
-  void add_pair(const IndexPair& pair, double h);
-  void add_planes();
   void place(State& state, const State& predicted, double h, Bookkeeping& book);
   void place_island(
       const Island& island, const State& predicted, double h, State& state, Bookkeeping& book);
@@ -60,15 +58,11 @@ class RattleStepper {
   const System* system_;
   IslandDynamics dynamics_;
   ClosedContacts closed_;
+  NearContacts near_;
   ContactFinder finder_;
-  BroadPhase broad_phase_;
   Scales scales_;
-  State start_;             ///< of the step
-  std::vector<Box> boxes_;  ///< at the start
-  std::vector<Box> predicted_boxes_;
+  State start_;  ///< of the step
   std::vector<Box> end_boxes_;
-  std::vector<BoundingBox> bounds_;
-  std::vector<Contact> candidates_;  ///< at the start
   std::vector<Contact> contacts_;
   std::vector<Pressed> pressed_;
   std::vector<Island> islands_;
