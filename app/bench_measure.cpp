@@ -53,8 +53,10 @@ bool run_for_figures(const BenchScene& scene, const MotionSettings& settings, Be
   const bool arrived = advance(simulation, scene);
   const Audit audit = simulation.audit();
   const Cost& cost = simulation.cost();
-  if (arrived && !scene.exact.empty())
+  if (arrived && !scene.exact.empty()) {
     row.state_error = state_error(scene.scene, simulation.states(), scene.exact);
+    row.place_error = place_error(scene.scene, simulation.states(), scene.exact);
+  }
   row.overlap = audit.max_penetration;
   row.energy_drift = audit.drift();
   row.residual = audit.max_kkt_residual;

@@ -55,6 +55,7 @@ BenchMachine this_machine() {
 std::string bench_csv(const std::vector<BenchRow>& rows, const BenchMachine& machine) {
   std::string text =
       "scene,bodies,engine,method,tolerance,step,simulated_s,repeats,cpu_s,cpu_setup_s,state_error,"
+      "place_error,"
       "event_error_s,overlap_m,energy_drift_J,residual,steps,solves,skips,status,machine,compiler,"
       "version\n";
   for (const BenchRow& row : rows) {
@@ -62,10 +63,11 @@ std::string bench_csv(const std::vector<BenchRow>& rows, const BenchMachine& mac
                         field(row.engine), field(row.method), number(row.tolerance),
                         number(row.step), number(row.simulated), row.repeats,
                         row.repeats > 0 ? number(row.cpu) : std::string{}, number(row.cpu_setup));
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", number(row.state_error),
-                        number(row.event_error), number(row.overlap), number(row.energy_drift),
-                        number(row.residual), row.steps, row.solves, row.skips, field(row.status),
-                        field(machine.cpu), field(machine.compiler), field(machine.version));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number(row.state_error),
+                        number(row.place_error), number(row.event_error), number(row.overlap),
+                        number(row.energy_drift), number(row.residual), row.steps, row.solves,
+                        row.skips, field(row.status), field(machine.cpu), field(machine.compiler),
+                        field(machine.version));
   }
   return text;
 }

@@ -19,6 +19,7 @@ struct BenchRow {
   double cpu = 0.0;                    ///< s, least of the repeats: made, moved, taken down
   double cpu_setup = 0.0;              ///< s, the share of making and taking down
   std::optional<double> state_error;   ///< see state_error in bench_scenes.h
+  std::optional<double> place_error;   ///< the same of positions and angles alone
   std::optional<double> event_error;   ///< s
   std::optional<double> overlap;       ///< m, deepest at any step end
   std::optional<double> energy_drift;  ///< J, not explained by impacts

@@ -44,8 +44,12 @@ BenchScene make_bench_scene(std::string_view name);
 Scene harmonic_overhang(double scale);
 
 /// Largest difference of any component: positions relative to the smallest side L, angles in rad,
-/// velocities relative to sqrt(g L), spins to sqrt(g / L); 0 for equal states.
+/// velocities relative to V = sqrt(g L), or the largest speed at the start where g = 0, spins to V
+/// / L.
 double state_error(const Scene& scene, const State& actual, const State& exact);
+
+/// The same of positions and angles alone.
+double place_error(const Scene& scene, const State& actual, const State& exact);
 
 /// Kinetic and potential energy in J, with g of the scene.
 double state_energy(const Scene& scene, const State& state);
