@@ -222,9 +222,10 @@ std::vector<std::string> bench_motions() {
 }
 
 std::vector<std::string> bench_stands() {
-  return {"tower_10",           "tower_30",  "tower_100",  "tower_300",  "tower_1000", "tower_3000",
-          "tower_10000",        "pyramid_4", "pyramid_13", "pyramid_40", "wall_10",    "wall_30",
-          "mass_ratio_1000000", "overhang",  "pile_30",    "pile_100"};
+  return {"tower_10",   "tower_30",    "tower_100", "tower_300",  "tower_1000",
+          "tower_3000", "tower_10000", "pyramid_4", "pyramid_13", "pyramid_25",
+          "pyramid_40", "pyramid_50",  "wall_10",   "wall_30",    "mass_ratio_1000000",
+          "overhang",   "pile_30",     "pile_100"};
 }
 
 BenchScene make_bench_scene(std::string_view name) {

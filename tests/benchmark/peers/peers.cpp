@@ -111,15 +111,14 @@ std::vector<BenchRow> measure_scene(const std::string& name, double budget) {
   return rows;
 }
 
-// The smallest distance from the limit that is still judged right, with all larger ones.
+// The smallest distance from the limit that is still judged right, whatever larger ones are.
 template <class Stands>
 std::string smallest_right(double side, Stands&& stands) {
   constexpr std::array distances{0.3,  0.2,  0.1,  5e-2, 2e-2, 1e-2,
                                  5e-3, 2e-3, 1e-3, 1e-4, 1e-5, 1e-6};
   std::string right = "none";
   for (const double distance : distances) {
-    if (stands(1.0 + side * distance) != (side < 0.0)) break;
-    right = fmt::format("{:.0e}", distance);
+    if (stands(1.0 + side * distance) == (side < 0.0)) right = fmt::format("{:.0e}", distance);
   }
   return right;
 }

@@ -15,6 +15,13 @@ using Rows = std::vector<const BenchRow*>;
 
 double error_of(const BenchRow& row) { return std::max(*row.state_error, least_error); }
 
+// Beyond half a cube or half a radian there is nothing to compare: fallen, or passed through.
+constexpr double lost = 0.5;
+
+std::string error_text(double error) {
+  return error > lost ? std::string("lost") : fmt::format("{:.1e}", error);
+}
+
 std::string time_text(double s) {
   return s < 1e-3 ? fmt::format("{:.3g} us", s * 1e6) : fmt::format("{:.3g} ms", s * 1e3);
 }
@@ -35,8 +42,9 @@ std::string line(const std::string& scene, const Rows& ours, const Rows& theirs)
     text += " not as exact | - |";
   } else {
     const BenchRow& match = **std::min_element(as_good.begin(), as_good.end(), cheaper);
-    text += fmt::format(" {:.1e} in {} | {:.3g} |", *match.state_error, time_text(match.cpu),
-                        best.cpu / match.cpu);
+    text += fmt::format(
+        " {:.1e} in {} | {} |", *match.state_error, time_text(match.cpu),
+        *best.state_error > lost ? std::string("-") : fmt::format("{:.3g}", best.cpu / match.cpu));
   }
   const auto standard = std::find_if(ours.begin(), ours.end(), [](const BenchRow* row) {
     return row->tolerance == default_tolerance;
@@ -47,9 +55,11 @@ std::string line(const std::string& scene, const Rows& ours, const Rows& theirs)
   const BenchRow& rival = as_cheap.empty()
                               ? **std::min_element(theirs.begin(), theirs.end(), cheaper)
                               : **std::min_element(as_cheap.begin(), as_cheap.end(), more_accurate);
-  text += fmt::format(" {:.1e} in {} | {:.1e} in {} | {:.1e} |\n", *rival.state_error,
+  text += fmt::format(" {} in {} | {:.1e} in {} | {} |\n", error_text(*rival.state_error),
                       time_text(rival.cpu), *(*standard)->state_error, time_text((*standard)->cpu),
-                      error_of(rival) / error_of(**standard));
+                      *rival.state_error > lost
+                          ? std::string("-")
+                          : fmt::format("{:.0e}", error_of(rival) / error_of(**standard)));
   return text;
 }
 
