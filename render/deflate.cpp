@@ -178,6 +178,7 @@ void find_unlike(const std::uint8_t* row,
                  std::size_t width,
                  std::vector<Span>& unlike) {
   unlike.clear();
+  if (std::memcmp(row, above, 4 * width) == 0) return;
   for (std::size_t x = 0; x < width;) {
     x += common_pixels(row + 4 * x, above + 4 * x, width - x);
     const std::size_t count = unlike_pixels(row + 4 * x, above + 4 * x, width - x);
