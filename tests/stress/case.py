@@ -1,0 +1,124 @@
+"""One call of the program, and what is to be said of its answer."""
+import dataclasses
+import json
+import math
+import subprocess
+import time
+
+OVERLAP = 1e-9  # of the smaller side
+ENERGY = 1e-6  # of the energy at hand
+
+# How a run ends, from good to bad. The first three tell the caller what happened; the rest are faults.
+FINE, REFUSED, OVER_BUDGET = "fine", "refused", "over budget"
+FAULTS = ("hang", "crash", "internal error", "not a number", "overlap", "gains energy", "wrong answer")
+
+
+@dataclasses.dataclass
+class Case:
+    """A scene, how to call the program with it, and what must be true of the answer."""
+    scene: dict
+    arguments: tuple = ()
+    command: str = "run"
+    expect: object = None  # function of the parsed answer: None, what is wrong with it, or an Outcome
+    refuse: bool = False  # the scene is to be refused
+    energy: float = 0.0  # J, the energy at hand where start, end and losses do not show it
+    drift: float = ENERGY  # of the energy at hand
+    name: str = ""
+
+
+@dataclasses.dataclass
+class Outcome:
+    status: str
+    text: str = ""
+    overlap: float = 0.0  # of the smaller side
+    seconds: float = 0.0
+    steps: int = 0
+
+    @property
+    def fault(self):
+        return self.status in FAULTS
+
+
+def smaller_side(scene):
+    sides = [1.0]
+    bodies = [b for kind in ("cube", "fixed", "tower", "wall", "pyramid", "pile") for b in scene.get(kind, [])]
+    if bodies:
+        sides = []
+    for body in bodies:
+        size = body.get("size", 1.0)
+        sides += size if isinstance(size, list) else [size]
+    return min(sides)
+
+
+def strange_number(value):
+    """Whether a number somewhere in the answer is none: JSON writes NaN and infinity as null."""
+    if isinstance(value, dict):
+        return any(strange_number(v) for v in value.values())
+    if isinstance(value, list):
+        return any(strange_number(v) for v in value)
+    return value is None or (isinstance(value, float) and not math.isfinite(value))
+
+
+def call(program, case, limit):
+    """(exit code or None after `limit` seconds, standard output, standard error)."""
+    try:
+        done = subprocess.run([program, case.command, "-", "--json", *(["--quiet"] if case.command == "run" else []), *case.arguments],
+                              input=json.dumps(case.scene), capture_output=True, text=True, timeout=limit)
+        return done.returncode, done.stdout, done.stderr.strip()
+    except subprocess.TimeoutExpired:
+        return None, "", ""
+
+
+def judge_audit(case, answer):
+    audit = answer["audit"]
+    overlap = audit["max_penetration"] / smaller_side(case.scene)
+    steps = answer["cost"]["steps"]
+    if overlap > OVERLAP:
+        return Outcome("overlap", f"overlap of {overlap:.2g} of the smaller side", overlap, 0, steps)
+    energy = audit["energy"]
+    at_hand = max(abs(energy["start"]), abs(energy["end"]), energy["impact_loss"], case.energy)
+    if energy["drift"] > case.drift * at_hand:
+        return Outcome("gains energy", f"energy grew by {energy['drift']:.2g} J of {at_hand:.2g} J", overlap, 0, steps)
+    return Outcome(FINE, "", overlap, 0, steps)
+
+
+def judge_answer(case, answer):
+    if strange_number(answer):
+        return Outcome("not a number", "a number in the answer is null")
+    outcome = judge_audit(case, answer) if case.command == "run" else Outcome(FINE)
+    if outcome.status == FINE and case.expect:
+        wrong = case.expect(answer)
+        if isinstance(wrong, Outcome):
+            return wrong
+        if wrong:
+            outcome.status, outcome.text = "wrong answer", wrong
+    return outcome
+
+
+def judge(case, limit, code, out, err):
+    if code is None:
+        return Outcome("hang", f"no end after {limit:g} s")
+    if code < 0:
+        return Outcome("crash", f"signal {-code}")
+    if code == 2:
+        return Outcome(FINE if case.refuse else REFUSED, err)
+    if case.refuse:
+        return Outcome("wrong answer", "taken, though it is to be refused")
+    if code not in (0, 1, 3):
+        return Outcome("internal error", f"exit code {code}: {err}")
+    try:
+        outcome = judge_answer(case, json.loads(out))
+    except ValueError:
+        return Outcome("internal error", "the answer is not JSON")
+    if code == 3 and (outcome.status == FINE or case.command == "check"):
+        outcome.status, outcome.text = OVER_BUDGET, err or "undecided"
+    return outcome
+
+
+def run_case(program, case, limit):
+    begin = time.monotonic()
+    code, out, err = call(program, case, limit)
+    seconds = time.monotonic() - begin
+    outcome = judge(case, limit, code, out, err)
+    outcome.seconds = seconds
+    return outcome
