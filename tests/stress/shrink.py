@@ -56,7 +56,7 @@ def with_rounder_numbers(scene):
                 yield rounder
 
 
-def shrink(program, case, status, limit, budget=400):
+def shrink(program, case, status, limit, budget=300):
     """The smallest scene found within `budget` calls that still ends with `status`."""
     smaller, calls, progress = case, 0, True
     while progress:
