@@ -201,7 +201,7 @@ def overlap(distance):
 
 # --- long runs
 def soak(steps):
-    """A stack of three slides for ever and a fourth falls on it; up to a million steps also ten cubes that settle in a bin."""
+    """A stack of three slides for ever and a fourth falls on it; up to a hundred thousand steps also ten cubes that settle in a bin."""
     dt = repr(2 / steps)
     bin_scene = {**pile(10)[0].scene, "duration": 2.0}
     slide = scene([cube(f"c{i}", 0, 0.5 + i, velocity=[2, 0]) for i in range(3)] + [cube("d", 0.2, 6, velocity=[2, 0], spin=3.0)], 2.0)
@@ -210,7 +210,7 @@ def soak(steps):
         low = answer["samples"][-1]["bodies"]["c0"]
         return None if low["y"] == 0.5 or abs(low["y"] - 0.5) <= 1e-9 else f"the lowest cube is {low['y'] - 0.5:.2g} m above its place"
     cases = [Case(slide, ("--integrator", "rattle", "--step", dt), drift=1e-3, expect=even)]
-    return cases + ([Case(bin_scene, ("--integrator", "rattle", "--step", dt), drift=1e-3)] if steps <= 1e6 else [])
+    return cases + ([Case(bin_scene, ("--integrator", "rattle", "--step", dt), drift=1e-3)] if steps <= 1e5 else [])
 
 
 def families(reference):
@@ -227,11 +227,11 @@ def families(reference):
         Family("spin", "spin / (rad/s)", powers(0, 5), powers(0, 6), spin, holds_to=1e3),
         Family("speed", "speed / (m/s)", powers(0, 5), powers(0, 7), speed, holds_to=1e4),
         Family("distance", "distance from the origin / m", powers(0, 6, 2), powers(0, 9), distance_family(reference)),
-        Family("pile", "cubes in a bin", [10, 100, 300], [10, 100, 300, 1000, 3000, 10000, 30000], pile),
-        Family("random", "scenes", list(range(300)), list(range(10000)), random_family, collection=True),
+        Family("pile", "cubes in a bin", [10, 100], [10, 100, 300, 1000, 3000, 10000, 30000], pile),
+        Family("random", "scenes", list(range(200)), list(range(10000)), random_family, collection=True),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle falls on its point", "needle falls flat", "needle across a gap")),
-        Family("soak", "steps", [1e4, 3e4], powers(4, 7), soak, patience=5),
+        Family("soak", "steps", [1e4], powers(4, 7), soak, patience=5),
         Family("gap", "gap / side", [1e-15, 1e-12, *near, 1e-6], powers(-16, -10) + near + powers(-8, -4), gap),
         Family("overlap", "overlap / side", [1e-15, 1e-12, *near, 1e-6], powers(-16, -10) + near + powers(-8, -4), overlap),
     ]

@@ -1,5 +1,6 @@
 """The sweep sees every fault that it is there to see: programs that answer wrongly, and scenes to make smaller."""
 import json
+import math
 import os
 import stat
 import sys
@@ -9,11 +10,12 @@ import unittest
 sys.dont_write_bytecode = True
 
 from case import Case, run_case  # noqa: E402
+from overlap import deepest  # noqa: E402
 from random_scenes import KINDS, random_scene  # noqa: E402
 from shrink import shrink  # noqa: E402
 
 GOOD = {"audit": {"max_penetration": 0.0, "energy": {"start": 1.0, "end": 1.0, "impact_loss": 0.0, "drift": 0.0}},
-        "cost": {"steps": 3}, "samples": [{"t": 1.0, "bodies": {"a": {"x": 0.0}}}]}
+        "cost": {"steps": 3}, "samples": [{"t": 1.0, "bodies": {"a": {"x": 0.0, "y": 2.0, "theta": 0.0}, "b": {"x": 3.0, "y": 2.0, "theta": 0.0}}}]}
 SCENE = {"version": 1, "duration": 1.0, "cube": [{"name": "a", "position": [0.123456, 2], "size": 0.5}, {"name": "b", "position": [3, 2]}]}
 
 
@@ -31,8 +33,8 @@ class Judge(unittest.TestCase):
         os.chmod(file.name, stat.S_IRWXU)
         return file.name
 
-    def status(self, body, **case):
-        return run_case(self.program(body), Case(SCENE, **case), 2.0).status
+    def status(self, body, limit=2.0, **case):
+        return run_case(self.program(body), Case(SCENE, **case), limit).status
 
     def answers(self, text, code=0):
         return f"cat > /dev/null\ncat <<'END'\n{text}\nEND\nexit {code}\n"
@@ -41,7 +43,8 @@ class Judge(unittest.TestCase):
         self.assertEqual(self.status(self.answers(json.dumps(GOOD))), "fine")
 
     def test_a_program_that_does_not_end_hangs(self):
-        self.assertEqual(self.status("exec sleep 30\n"), "hang")
+        self.assertEqual(self.status("exec sleep 30\n", 0.1), "hang")
+        self.assertEqual(self.status("while :; do :; done\n", 1.0), "hang")
 
     def test_a_signal_is_a_crash(self):
         self.assertEqual(self.status("kill -SEGV $$\n"), "crash")
@@ -63,6 +66,14 @@ class Judge(unittest.TestCase):
 
     def test_an_overlap_is_seen_behind_exit_code_three(self):
         self.assertEqual(self.status(self.answers(changed(max_penetration=0.1), 3)), "overlap")
+
+    def test_an_overlap_that_the_audit_does_not_show_is_seen(self):
+        into = {"x": 0.7, "y": 2.0, "theta": 0.0}  # 0.05 m into a, whose half side is 0.25 m
+        bodies = {**GOOD["samples"][0]["bodies"], "b": into}
+        self.assertEqual(self.status(self.answers(json.dumps({**GOOD, "samples": [{"t": 1.0, "bodies": bodies}]}))), "overlap")
+        self.assertAlmostEqual(deepest(SCENE, {"bodies": bodies}), 0.05, delta=1e-15)
+        sunk = {**SCENE, "plane": [{"point": [0, 2]}], "fixed": [{"size": 1, "position": [0, 2.6], "angle": math.pi / 4}]}
+        self.assertAlmostEqual(deepest(sunk, GOOD["samples"][0]), 0.5, delta=1e-15)
 
     def test_energy_may_be_lost_but_not_gained(self):
         energy = {"start": 1.0, "end": 1.0, "impact_loss": 0.0}

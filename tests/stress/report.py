@@ -21,7 +21,8 @@ set format x "10^{{%T}}"
 set yrange [-0.7:{top}]
 set xlabel "value of what is swept (its unit is in the table)"
 set grid x lc rgb "#dddddd"
-set key outside bottom horizontal
+set key outside top center horizontal
+set xrange [{low:g}:{high:g}]
 set ytics ({tics})
 plot "{data}" index 0 using 1:2 with points pt 7 ps 0.9 lc rgb "#0072b2" title "holds", \\
      "" index 1 using 1:2 with points pt 4 ps 1.4 lw 2 lc rgb "#e69f00" title "clear status (exit 2 or 3)", \\
@@ -77,7 +78,8 @@ def draw(sweeps, folder):
     with open(data, "w") as file:
         file.write(plot_data(sweeps))
     tics = ", ".join(f'"{s.family.name.replace("_", " ")}" {level}' for level, s in enumerate(reversed(sweeps)))
-    script = PLOT.format(svg=os.path.join(folder, "stress.svg"), data=data, top=len(sweeps) - 0.3, tics=tics, height=160 + 30 * len(sweeps))
+    values = [r.value for s in sweeps for r in s.results]
+    script = PLOT.format(low=min(values) / 5, high=max(values) * 5, svg=os.path.join(folder, "stress.svg"), data=data, top=len(sweeps) - 0.3, tics=tics, height=160 + 30 * len(sweeps))
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
     os.remove(data)
     return "stress.svg"
