@@ -53,9 +53,7 @@ Line& line_of(std::vector<Line>& lines, const std::string& label) {
   return lines.back();
 }
 
-std::string line_label(const BenchRow& row) {
-  return row.engine == "wuerfel" ? row.method : fmt::format("{} {}", row.engine, row.method);
-}
+std::string line_label(const BenchRow& row) { return fmt::format("{} {}", row.engine, row.method); }
 
 std::string script(const Figure& figure, const BenchMachine& machine, const std::string& folder) {
   std::string text =
@@ -121,9 +119,11 @@ Figure error_figure(const std::vector<BenchRow>& rows, const std::string& scene)
   return figure;
 }
 
+// "tower" of "tower_10"; empty where the name does not tell a size.
 std::string family_of(const std::string& scene) {
-  const std::size_t split = scene.rfind('_');
-  return split == std::string::npos ? std::string{} : scene.substr(0, split);
+  for (const char* family : {"tower", "pyramid", "wall", "pile"})
+    if (scene.starts_with(fmt::format("{}_", family))) return family;
+  return {};
 }
 
 void add_growth(const std::vector<BenchRow>& rows,
@@ -132,7 +132,7 @@ void add_growth(const std::vector<BenchRow>& rows,
   for (const BenchRow& row : rows) {
     const std::string family = family_of(row.scene);
     const std::string name = label(row);
-    if (family.empty() || family == "mass_ratio" || name.empty() || row.repeats == 0) continue;
+    if (family.empty() || name.empty() || row.repeats == 0) continue;
     line_of(figure.lines, name).points.push_back({static_cast<double>(row.bodies), row.cpu});
   }
   std::erase_if(figure.lines, [](const Line& line) { return line.points.size() < 2; });

@@ -30,7 +30,9 @@ struct Motion {
 
 // States and times to 16 digits: closed forms, or the energy integral by quadrature with 30 digits,
 // or (edge, rider, ladder) Newton-Euler equations by extrapolation of order 22 with 34 digits.
-// tests/data/reference has the same cases with more digits and the way to each number.
+// tests/data/reference has edge (edge_tip_square_d0.05), ladder (ladder_thin), rider
+// (edge_rider_plank2) and drop (drop_tilted_square_spin) with more digits and the way to each
+// number.
 std::vector<Motion> motions() {
   return {
       {"flight",
