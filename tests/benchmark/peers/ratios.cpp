@@ -35,9 +35,9 @@ std::string line(const std::string& scene, const Rows& ours, const Rows& theirs)
   Rows as_good;
   for (const BenchRow* row : ours)
     if (error_of(*row) <= error_of(best)) as_good.push_back(row);
-  std::string text =
-      fmt::format("| {} | {} | {:.1e} in {} ({}, {}) |", scene, best.engine, *best.state_error,
-                  time_text(best.cpu), best.method, setting_text(best));
+  std::string text = fmt::format("| {} | {} | {} in {} ({}, {}) |", scene, best.engine,
+                                 error_text(*best.state_error), time_text(best.cpu), best.method,
+                                 setting_text(best));
   if (as_good.empty()) {
     text += " not as exact | - |";
   } else {
