@@ -10,8 +10,18 @@ namespace {
 /// A former answer is taken if its residual is below this: what a new solve would reach as well.
 constexpr double certificate_tolerance = 1e-12;
 
+/// Shares of g: rest is certified below the first; what is above the second is no rounding.
+constexpr double rest_acceleration = 1e-10;
+constexpr double certain_fall = 9e-10;
+/// A cube may be left with this many times what the residual leaves of the largest force.
+constexpr double left_over_times = 2.0;
+
 /// What a guess of the pressing contacts must reach to be taken.
 constexpr double guess_tolerance = 1e-11;
+
+/// Small programs whose residual is above this are finished off as well: it costs next to nothing.
+constexpr double finished_residual = 1e-13;
+constexpr int small_program = 24;
 
 /// Contacts press with more than this share of the largest force.
 constexpr double pressing_share = 1e-9;
@@ -64,13 +74,13 @@ void IslandDynamics::guess_from(const Island& island, const Memory& memory) {
 
 /// Where a solver stops short of its goal it has nearly always found out which contacts press; with
 /// them as equalities the rest is one linear system.
-void IslandDynamics::finish_off(const Island& island, Memory& memory) {
+void IslandDynamics::finish_off(const Island& island, Memory& memory, double tolerance) {
   if (settings_.solver != QpMethod::automatic || settings_.formulation != Formulation::rigid)
     return;
   remember_pressing(island, memory);
   guess_from(island, memory);
   QpResult finished;
-  if (guess_.solve(builder_.program(), QpSettings{}.tolerance, tight_, finished))
+  if (guess_.solve(builder_.program(), tolerance, tight_, finished))
     memory.result = std::move(finished);
 }
 
@@ -99,7 +109,13 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
     if (!memory.solver) memory.solver = make_qp_solver(settings_.solver);
     if (!settings_.skips.warm_start) memory.solver->forget();
     memory.solver->solve(program, memory.result);
-    if (memory.result.status == QpStatus::inaccurate) finish_off(island, memory);
+    const double reached = memory.result.residual.worst();
+    if (memory.result.status == QpStatus::inaccurate) {
+      finish_off(island, memory, QpSettings{}.tolerance);
+    } else if (memory.result.status == QpStatus::optimal && reached > finished_residual
+               && program.rows() <= small_program) {
+      finish_off(island, memory, 0.1 * reached);
+    }
   }
   if (!solution.skipped) remember_pressing(island, memory);
   const QpResult& result = memory.result;
@@ -179,15 +195,21 @@ void displace(const Island& island, const std::vector<Twist>& displacements, Sta
   }
 }
 
-double largest_acceleration(const System& system,
-                            const Island& island,
-                            const std::vector<Twist>& twists) {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < twists.size(); ++k) {
-    const double side = system.body(island.cubes[k]).size.minCoeff();
-    largest = std::max(largest, twists[k].linear.norm() + side * std::abs(twists[k].angular));
+bool accelerations_vanish(const System& system,
+                          const Island& island,
+                          const IslandSolution& solution,
+                          double gravity) {
+  if (solution.status != QpStatus::optimal) return false;
+  const double left =
+      solution.forces.empty() ? 0.0 : solution.residual * std::ranges::max(solution.forces);
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    const Body& body = system.body(island.cubes[k]);
+    const Twist& a = solution.twists[k];
+    const double size = a.linear.norm() + body.size.minCoeff() * std::abs(a.angular);
+    const double rounding = rest_acceleration * gravity + left_over_times * left / body.mass;
+    if (size > std::min(rounding, certain_fall * gravity)) return false;
   }
-  return largest;
+  return true;
 }
 
 }  // namespace wuerfel

@@ -60,7 +60,7 @@ class IslandDynamics {
   [[nodiscard]] bool still_passes(Memory& memory) const;
   bool guess(const Island& island, Memory& memory);
   void guess_from(const Island& island, const Memory& memory);
-  void finish_off(const Island& island, Memory& memory);
+  void finish_off(const Island& island, Memory& memory, double tolerance);
   void remember_pressing(const Island& island, Memory& memory) const;
 
   const System* system_;
@@ -82,9 +82,13 @@ void set_velocities(const Island& island, const std::vector<Twist>& velocities, 
 /// Moves an island's cubes.
 void displace(const Island& island, const std::vector<Twist>& displacements, State& state);
 
-/// max over cubes of (|a| + side |alpha|), m/s^2: how far from rest accelerations are.
-double largest_acceleration(const System& system,
-                            const Island& island,
-                            const std::vector<Twist>& twists);
+/// Whether the accelerations of an island under its forces are zero but for rounding: |a| + side
+/// |alpha| of every cube at most 1e-10 g (design, "Verdict") and what the residual leaves of the
+/// largest force, but always less than what counts as falling (1e-9 g). `gravity` is g, m/s^2, or
+/// the scale in its place.
+bool accelerations_vanish(const System& system,
+                          const Island& island,
+                          const IslandSolution& solution,
+                          double gravity);
 
 }  // namespace wuerfel

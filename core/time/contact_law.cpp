@@ -8,8 +8,6 @@
 namespace wuerfel {
 namespace {
 
-/// Rest is certified where the acceleration is below this share of g (design, "Verdict").
-constexpr double rest_acceleration = 1e-10;
 /// A contact was hit where its impulse exceeds this share of the island's largest.
 constexpr double hit_share = 1e-9;
 /// Overlap deeper than this share of the smaller side is removed.
@@ -149,10 +147,7 @@ bool ContactLaw::comes_to_rest(const Island& island, State& state, Bookkeeping& 
   use_.assign(island.contacts.size(), SideUse::inequality);
   const IslandSolution solution = dynamics_.accelerations(state, island, use_);
   keep_book(solution, book);
-  if (solution.status == QpStatus::optimal
-      && largest_acceleration(*system_, island, solution.twists)
-             <= rest_acceleration * scales_.gravity)
-    return true;
+  if (accelerations_vanish(*system_, island, solution, scales_.gravity)) return true;
   for (std::size_t k = 0; k < island.cubes.size(); ++k)
     state[static_cast<std::size_t>(island.cubes[k])] = moving[k];
   return false;

@@ -13,6 +13,8 @@ constexpr double touching_share = 1e-8;   ///< nearer contacts take part in the 
 constexpr double pressed_share = 1e-3;    ///< those that were pressed do within this distance
 constexpr double closable_share = 1e-4;   ///< gaps of pressed contacts that may be closed
 constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
+/// Corners that are past the end of a side by more than this share of it are not held back by it.
+constexpr double beyond_end = 0.1;
 constexpr int most_clean_ups = 11;
 constexpr int closings = 3;
 constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
@@ -172,8 +174,8 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
     // Pairs that only met because neighbours pushed them: their sides are chosen at the start,
     // where they did not overlap.
     finder_.find(*system_, state, found, 0.0);
-    const double deepest = finder_.deepest().depth;
-    if (deepest <= overlap_share * finder_.deepest().scale) return;
+    overlap_left_ = finder_.deepest().depth / finder_.deepest().scale;
+    if (overlap_left_ <= overlap_share) return;
     if (round < closings) {
       close_pressed(state, found);
       continue;
@@ -190,8 +192,10 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
     contacts_.clear();
     for (const Contact& c : near_.contacts()) {
       const Contact now = at_poses(*system_, end_boxes_, c);
+      const bool on_side = system_->body(c.from).kind == BodyKind::plane
+                           || (now.alpha >= -beyond_end && now.alpha <= 1.0 + beyond_end);
       if (now.gap < pressed_share * contact_scale(*system_, c)
-          && (now.gap >= 0.0 || overlaps(end_boxes_, now)))
+          && (now.gap >= 0.0 ? on_side : overlaps(end_boxes_, now)))
         contacts_.push_back(now);
     }
     // Another corner than the one that was nearest at the start may have got in.
@@ -214,6 +218,8 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
       displace(island, solution.twists, state);
     }
   }
+  finder_.find(*system_, state, found, 0.0);
+  overlap_left_ = finder_.deepest().depth / finder_.deepest().scale;
 }
 
 void RattleStepper::hit(State& state, double t, double h, Bookkeeping& book) {

@@ -28,6 +28,10 @@ class RattleStepper {
   /// of energy as theirs. Returns by how much the energy has risen, J (negative: fallen).
   double step(State& state, double t, double h, Bookkeeping& book);
 
+  /// Overlap that the last step left, as a share of the smaller side of the pair: where cubes are
+  /// wedged its programs may contradict themselves, and a shorter step does better.
+  [[nodiscard]] double overlap_left() const { return overlap_left_; }
+
   /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing
   /// tunnels.
   [[nodiscard]] double longest_step(const State& state) const;
@@ -61,6 +65,7 @@ class RattleStepper {
   NearContacts near_;
   ContactFinder finder_;
   Scales scales_;
+  double overlap_left_ = 0.0;
   State start_;  ///< of the step
   std::vector<Box> end_boxes_;
   std::vector<Contact> contacts_;

@@ -8,9 +8,6 @@
 namespace wuerfel {
 namespace {
 
-/// Rest is certified where the acceleration is below this share of g (design, "Verdict").
-constexpr double rest_acceleration = 1e-10;
-
 /// A contact carries load where its force exceeds this share of the island's largest.
 constexpr double pressed_share = 1e-9;
 
@@ -172,10 +169,9 @@ void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
     }
     solution = dynamics_.accelerations(moment.state, island);
     keep_book(solution, book);
-    const double limit = rest_acceleration * system_->gravity.norm();
-    const bool rests = settings_.skips.rest && solution.status == QpStatus::optimal
-                       && is_still(island, moment.state)
-                       && largest_acceleration(*system_, island, solution.twists) <= limit;
+    const double g = system_->gravity.norm();
+    const bool rests = settings_.skips.rest && is_still(island, moment.state)
+                       && accelerations_vanish(*system_, island, solution, g);
     for (std::size_t k = 0; k < island.cubes.size(); ++k) {
       const auto cube = static_cast<std::size_t>(island.cubes[k]);
       moment.resting[cube] = rests ? 1 : 0;

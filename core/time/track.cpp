@@ -11,15 +11,22 @@ namespace {
 constexpr double frames_per_time = 20.0;
 constexpr long most_events = 25;
 constexpr long most_events_again = 5;  ///< where stepping was needed not long ago
+constexpr long fewest_events = 3;
+/// An event costs as much as the group is large: large groups are given fewer of them.
+constexpr long most_events_and_cubes = 750;
 constexpr int most_patience = 32;
 /// Steps per frame where the user did not choose them.
 constexpr double steps_per_frame = 2.0;
 /// A step is halved where energy rises by more than this share of what the group has in motion, but
-/// not below this share of the step; what energy still rises is taken from the velocities.
+/// not below a sixteenth; what energy still rises is taken from the velocities.
 constexpr double rise_share = 1e-4;
 constexpr double shortest_share = 1.0 / 16.0;
-/// Ends of steps nearer than this share of L / V are one instant.
-constexpr double same_time = 1e-12;
+/// It is halved, twice at most, where it leaves more overlap than this share of a side.
+constexpr double overlap_share = 1e-9;
+constexpr double shortest_for_overlap = 0.25;
+/// Steps shorter than this share of L / V are not taken: velocities are read off differences of
+/// positions, which have no digits then.
+constexpr double same_time = 1e-7;
 /// Touching after stepping: gaps of contacts under load have been closed to rounding.
 constexpr double touching_share = 1e-9;
 /// Share of V below which a group that was stepped is at rest where its forces balance.
@@ -113,16 +120,18 @@ void Track::hand_over() {
 
 void Track::step(double limit) {
   const double end = std::min(limit, until_);
-  double h = std::min({step_, stepper_.longest_step(state_), end - clock_});
-  if (end - clock_ - h < same_time * scales_.time) h = end - clock_;
+  const double whole = std::min({step_, stepper_.longest_step(state_), end - clock_});
+  double h = end - clock_ - whole < same_time * scales_.time ? end - clock_ : whole;
   const double shortest = h * shortest_share;
+  const double shortest_clean = h * shortest_for_overlap;
   Bookkeeping before = book_;
   State next = state_;
   const double moving = kinetic_energy(*system_, state_) + scales_.weight * scales_.length;
   while (true) {
     next = state_;
     const double rise = stepper_.step(next, clock_, h, book_);
-    if (rise <= rise_share * moving || h <= shortest) {
+    const bool clean = stepper_.overlap_left() <= overlap_share || h <= shortest_clean;
+    if ((rise <= rise_share * moving && clean) || h <= shortest) {
       if (rise > 0.0) {
         // J v >= 0 stays true for a share of v.
         const double kinetic = kinetic_energy(*system_, next);
@@ -164,6 +173,14 @@ State Track::at(double t) {
   if (t <= piece->begin || piece->kind == MotionPiece::Kind::rest) return piece->start;
   if (piece->kind == MotionPiece::Kind::smooth) return events_.look(*piece, t);
   State state = piece->start;
+  const double dt = t - piece->begin;
+  if (dt < same_time * scales_.time) {
+    for (BodyState& s : state) {
+      s.position += dt * s.velocity;
+      s.angle += dt * s.spin;
+    }
+    return state;
+  }
   Bookkeeping aside;
   looker_.step(state, piece->begin, t - piece->begin, aside);
   return state;

@@ -128,7 +128,9 @@ TEST(Gallery, NothingTunnelsAtTwoHundredMetresPerSecond) {
 Scene some_motion(double scale = 1.0, const Vec2& shift = Vec2::Zero(), bool mirrored = false) {
   Scene scene;
   const double m = mirrored ? -1.0 : 1.0;
-  const auto at = [&](double x, double y) -> Vec2 { return Vec2(m * x * scale, y * scale) + shift; };
+  const auto at = [&](double x, double y) -> Vec2 {
+    return Vec2(m * x * scale, y * scale) + shift;
+  };
   scene.planes.push_back({"floor", shift, Vec2::UnitY(), {}});
   for (int i = 0; i < 3; ++i)
     scene.cubes.push_back(cube("c" + std::to_string(i), at(0.375 * i, 0.5 + i), scale));
