@@ -5,6 +5,13 @@
 #include <fmt/core.h>
 
 namespace wuerfel {
+namespace {
+
+/// Share of the smaller side of a pair up to which bodies may touch with overlap (and a little for
+/// rounding).
+constexpr double promised_overlap = 1.01e-9;
+
+}  // namespace
 
 ExitCode verdict_on_accuracy(const Audit& audit) {
   if (audit.missed_solves > 0) {
@@ -19,6 +26,13 @@ ExitCode verdict_on_accuracy(const Audit& audit) {
                "wuerfel: events could not be told apart {} times; the result is there but over the "
                "error budget (try --integrator auto or rattle)\n",
                audit.unresolved);
+    return ExitCode::undecided;
+  }
+  if (audit.max_overlap > promised_overlap) {
+    fmt::print(stderr,
+               "wuerfel: bodies overlap by up to {:.2g} of a side, more than the {:.0g} that is "
+               "promised; the result is there but over the error budget\n",
+               audit.max_overlap, promised_overlap);
     return ExitCode::undecided;
   }
   if (audit.drift_budget > 0.0 && !(std::abs(audit.drift()) <= audit.drift_budget)) {

@@ -6,8 +6,9 @@
 
 namespace wuerfel {
 
-/// Fine where every program was solved within the tolerance, every event was found and energy
-/// drifted by no more than the tolerance promises; else undecided, with a note on stderr.
+/// Fine where every program was solved within the tolerance, every event was found, nothing
+/// overlaps and energy drifted by no more than the tolerance promises; else undecided, with a note
+/// on stderr.
 ExitCode verdict_on_accuracy(const Audit& audit);
 
 }  // namespace wuerfel

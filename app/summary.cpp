@@ -35,6 +35,7 @@ Json audit_json(const Audit& audit) {
           {"max_rod_error", audit.max_rod_error},
           {"max_kkt_residual", audit.max_kkt_residual},
           {"unresolved", audit.unresolved},
+          {"searches_given_up", audit.searches_given_up},
           {"wedged", audit.wedged},
           {"energy",
            {{"start", audit.energy_start},

@@ -209,6 +209,11 @@ void add_plane(int plane_index,
 
 }  // namespace
 
+double gap_rounding(const Vec2& a, const Vec2& b) {
+  constexpr double few_bits = 1e-15;
+  return few_bits * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+}
+
 ContactVelocity contact_velocity(const System& system, const State& state, const Contact& contact) {
   ContactVelocity v;
   if (system.is_cube(contact.on)) {
@@ -291,7 +296,8 @@ void ContactFinder::find(const System& system,
   for (; boxes < system.count() && system.body(boxes).kind != BodyKind::plane; ++boxes) {
     const Box& box = boxes_[static_cast<std::size_t>(boxes)];
     const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                        + Vec2::Constant(tolerance * smaller_side(system, boxes));
+                        + Vec2::Constant(std::max(tolerance * smaller_side(system, boxes),
+                                                  gap_rounding(box.center, box.center)));
     bounds_.push_back({box.center - extent, box.center + extent});
   }
   const auto note = [&](double separation, double scale, int a, int b) {
@@ -310,9 +316,10 @@ void ContactFinder::find(const System& system,
       const Box& box = boxes_[static_cast<std::size_t>(i)];
       const double scale = smaller_side(system, i);
       const double separation = plane_separation(plane.point, plane.normal, box);
-      if (separation > tolerance * scale) continue;
+      const double touching = std::max(tolerance * scale, gap_rounding(box.center, plane.point));
+      if (separation > touching) continue;
       note(separation, scale, i, p);
-      add_plane(p, plane, i, box, tolerance * scale, contacts);
+      add_plane(p, plane, i, box, touching, contacts);
     }
   }
 }

@@ -13,6 +13,9 @@ namespace wuerfel {
 /// The share of max(sqrt(g side), |v|) up to which the gap's velocity counts as zero.
 inline constexpr double rate_tolerance = 1e-9;
 
+/// What rounding may leave of a gap between bodies at these places, m.
+double gap_rounding(const Vec2& a, const Vec2& b);
+
 /// What of a contact stays the same from step to step: bodies of corner and side, and their
 /// numbers.
 using ContactId = std::tuple<int, int, int, int>;
@@ -74,7 +77,8 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
 /// Finds contacts. Keeps its memory, nothing else, from call to call.
 class ContactFinder {
  public:
-  /// All contacts with gap <= `tolerance` times the smaller side, in an order that depends on the
+  /// All contacts with gap <= `tolerance` times the smaller side (but at least what rounding of the
+  /// positions leaves of a gap), in an order that depends on the
   /// state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
   /// manifold: design, section 1.
   void find(const System& system,

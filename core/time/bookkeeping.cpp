@@ -26,6 +26,11 @@ std::string_view to_string(EventKind kind) {
   return "?";
 }
 
+void note_overlap(double depth, double side, Audit& audit) {
+  audit.max_penetration = std::max(audit.max_penetration, depth);
+  audit.max_overlap = std::max(audit.max_overlap, depth / side);
+}
+
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
   ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
   // That there is no solution is an answer.

@@ -28,11 +28,15 @@ struct Event {
 /// Invariants kept book of in every run.
 struct Audit {
   double max_penetration = 0.0;   ///< m, deepest overlap of any pair at any step end
+  double max_overlap = 0.0;       ///< the same as a share of the smaller side of the pair
   double max_rod_error = 0.0;     ///< largest relative change of a rod's length
   double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
   long missed_solves = 0;         ///< programs whose residual missed the tolerance
-  long unresolved = 0;            ///< times at which the event search or the error control gave up
-  long wedged = 0;                ///< programs without any solution: cubes wedged by their turning
+  long unresolved =
+      0;  ///< times at which events had to be passed over or the error control gave up
+  long searches_given_up = 0;  ///< event searches that left a gap near zero unproved; overlap is
+                               ///< measured afterwards
+  long wedged = 0;             ///< programs without any solution: cubes wedged by their turning
   double drift_budget = 0.0;   ///< J, what the tolerance promises of |drift()|; 0 where it promises
                                ///< nothing (stepping)
   double energy_start = 0.0;   ///< J
@@ -43,6 +47,9 @@ struct Audit {
     return energy_end + impact_loss + friction_loss - energy_start;
   }
 };
+
+/// Notes the deepest overlap of a state: depth in m, and the smaller side of the pair.
+void note_overlap(double depth, double side, Audit& audit);
 
 struct Cost {
   long steps = 0;

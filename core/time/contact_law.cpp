@@ -42,7 +42,7 @@ void ContactLaw::apply(
   closure.closed.clear();
   closure.wedged = false;
   finder_.find(*system_, state, contacts_, limits.touching);
-  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
   find_islands(*system_, contacts_, islands_);
   const std::size_t first_event = book.events.size();
   // A cube that touches nothing any more does not rest.

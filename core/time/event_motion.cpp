@@ -19,6 +19,8 @@ constexpr double most_shrinking = 0.2;
 constexpr double first_step = 0.1;
 constexpr double first_fall = 4.0;
 constexpr double fall_growth = 4.0;
+/// The angle by which cubes turn at most within one free fall, rad.
+constexpr double most_turning = 50.0;
 constexpr double shortest_step = 1e-11;
 constexpr double forced_time = 1e-9;
 constexpr double instant_share = 1e-13;
@@ -130,7 +132,13 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
 
 /// Free fall is a parabola, of any length.
 void EventMotion::fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
-  const double h = std::min(fall_, limit - clock_);
+  double fastest = 0.0;
+  for (const BodyState& s : state_)
+    fastest = std::max(fastest, std::abs(s.spin));
+  // The search for events looks at every turn.
+  const double turning =
+      fastest > 0.0 ? most_turning / fastest : std::numeric_limits<double>::infinity();
+  const double h = std::min({fall_, turning, limit - clock_});
   fall_ *= fall_growth;
   dense_.coefficients.assign(y_.size() * DenseStep::terms, 0.0);
   double* c = dense_.coefficients.data();
@@ -145,6 +153,7 @@ void EventMotion::fall(double limit, std::deque<MotionPiece>& pieces, Bookkeepin
   for (std::size_t i = 0; i < range_.size(); ++i)
     range_[i] = {accelerations_[i], accelerations_[i]};
   const auto crossing = search_.first({&dense_, h, &range_});
+  note_given_up(book);
   const double share = crossing ? crossing->share : 1.0;
   next_ = state_;
   look_at(dense_, share, next_);
@@ -165,6 +174,7 @@ void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookk
     return;
   }
   const std::optional<Crossing> crossing = search_.first({&dense_, h, &range_});
+  note_given_up(book);
   const double until = crossing ? crossing->share : 1.0;
   std::optional<double> release;
   if (pull_ < 0.0) {
@@ -178,6 +188,11 @@ void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookk
   const double length = release ? reach_release(*release * h) : reach_crossing(*crossing, h);
   add_piece(pieces);
   finish(length, true, book);
+}
+
+void EventMotion::note_given_up(Bookkeeping& book) {
+  book.audit.searches_given_up += search_.given_up() - given_up_;
+  given_up_ = search_.given_up();
 }
 
 /// Takes the step, shortened until its error is small enough; returns its length.

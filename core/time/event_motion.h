@@ -48,6 +48,7 @@ class EventMotion final : private VectorField {
   [[nodiscard]] double hold_at(const State& state);
   void fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   void integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
+  void note_given_up(Bookkeeping& book);
   double controlled_step(double h, Bookkeeping& book);
   void complete_step(double h);
   void restep(double length);
@@ -90,6 +91,7 @@ class EventMotion final : private VectorField {
   double fall_ = 0.0;  ///< s, of the next free fall
   double pull_ = 0.0;  ///< smallest hold since it was reset
   long events_ = 0;
+  long given_up_ = 0;       ///< searches
   int instant_events_ = 0;  ///< in a row, without time passing
 };
 

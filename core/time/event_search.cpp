@@ -38,7 +38,7 @@ double EventSearch::zero(const Watch& watch) const {
   const double scale = from.kind == BodyKind::plane
                            ? on.size.minCoeff()
                            : std::min(on.size.minCoeff(), from.size.minCoeff());
-  return zero_share * scale;
+  return std::max(zero_share * scale, rounding_);
 }
 
 bool EventSearch::is_still(int body) const {
@@ -84,6 +84,9 @@ void EventSearch::begin(const State& state,
                         const std::vector<Contact>& closed,
                         const std::vector<char>& resting) {
   resting_ = resting;
+  rounding_ = 0.0;
+  for (const BodyState& s : state)
+    rounding_ = std::max(rounding_, gap_rounding(s.position, s.position));
   watches_.clear();
   unarmed_.clear();
   closed_pairs_.clear();

@@ -69,6 +69,7 @@ class EventSearch {
   std::vector<Watch> candidates_;        ///< separations of this step
   std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
+  double rounding_ = 0.0;  ///< m, what rounding of the positions leaves of gaps
   long given_up_ = 0;
 };
 

@@ -60,9 +60,11 @@ void add_cost(const Cost& more, Cost& cost) {
 
 void add_audit(const Audit& more, Audit& audit) {
   audit.max_penetration = std::max(audit.max_penetration, more.max_penetration);
+  audit.max_overlap = std::max(audit.max_overlap, more.max_overlap);
   audit.max_kkt_residual = std::max(audit.max_kkt_residual, more.max_kkt_residual);
   audit.missed_solves += more.missed_solves;
   audit.unresolved += more.unresolved;
+  audit.searches_given_up += more.searches_given_up;
   audit.wedged += more.wedged;
 }
 

@@ -224,7 +224,7 @@ void RattleStepper::clean_up(State& state, double h, Bookkeeping& book) {
 
 void RattleStepper::hit(State& state, double t, double h, Bookkeeping& book) {
   finder_.find(*system_, state, contacts_, touching_share);
-  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
   std::vector<ContactId> known;
   for (const Contact& c : contacts_)
     known.push_back(c.id());

@@ -37,6 +37,7 @@ void SteppedMotion::advance_to(double t) {
   looker_.step(*shown_, rest, aside);
   shown_->t = t;
   book_.audit.max_penetration = std::max(book_.audit.max_penetration, aside.audit.max_penetration);
+  book_.audit.max_overlap = std::max(book_.audit.max_overlap, aside.audit.max_overlap);
   book_.cost.qp_solves += aside.cost.qp_solves;
 }
 

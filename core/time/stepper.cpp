@@ -77,7 +77,7 @@ void Stepper::observe(Moment& moment, Bookkeeping& book) {
   moment.resting.assign(moment.state.size(), 0);
   std::vector<Contact> contacts;
   finder_.find(*system_, moment.state, contacts);
-  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
   find_islands(*system_, contacts, moment.islands);
   moment.solutions.assign(moment.islands.size(), {});
 }
@@ -92,7 +92,7 @@ void Stepper::arrive(Moment& moment, Bookkeeping& book) {
   moment.resting.resize(static_cast<std::size_t>(system_->cubes), 0);
   std::vector<Contact> contacts;
   finder_.find(*system_, moment.state, contacts);
-  book.audit.max_penetration = std::max(book.audit.max_penetration, finder_.deepest().depth);
+  note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
   if (settings_.skips.islands) {
     find_islands(*system_, contacts, moment.islands);
     if (!settings_.skips.free_bodies) add_free_cubes(*system_, moment.islands);

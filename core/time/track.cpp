@@ -14,6 +14,8 @@ constexpr long most_events_again = 5;  ///< where stepping was needed not long a
 constexpr long fewest_events = 3;
 /// An event costs as much as the group is large: large groups are given fewer of them.
 constexpr long most_events_and_cubes = 750;
+/// With `--integrator event`: beyond this the motion would not get on.
+constexpr long most_events_ever = 1000;
 constexpr int most_patience = 32;
 /// Steps per frame where the user did not choose them.
 constexpr double steps_per_frame = 2.0;
@@ -60,8 +62,7 @@ void Track::start(const State& state,
   stepping_ = false;
   const bool always = settings_.integrator == Integrator::rattle;
   if (events_.at_rest()) return;
-  const bool wedged = settings_.integrator == Integrator::automatic && events_.wedged();
-  if (!(always || wedged || stepping.until > t)) return;
+  if (!(always || events_.wedged() || stepping.until > t)) return;
   stepping_ = true;
   clock_ = t;
   state_ = events_.state();
@@ -88,7 +89,7 @@ void Track::advance(double limit) {
     return;
   }
   events_.advance(limit, pieces_, book_);
-  if (settings_.integrator == Integrator::automatic) count_events();
+  count_events();
 }
 
 void Track::count_events() {
@@ -103,6 +104,12 @@ void Track::count_events() {
   last_events_ = events_.events();
   if (events_.wedged() || frame_events_ > (patience_ > 1 ? most_events_again : most_events))
     hand_over();
+}
+
+long Track::affordable_events() const {
+  if (settings_.integrator == Integrator::event) return most_events_ever;
+  return std::clamp(most_events_and_cubes / std::max(1, system_->cubes), fewest_events,
+                    patience_ > 1 ? most_events_again : most_events);
 }
 
 void Track::hand_over() {

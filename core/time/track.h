@@ -18,6 +18,8 @@ namespace wuerfel {
 ///     once and from where the motion is,
 ///   - stepping lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon; then gaps of
 ///     contacts that carry load are closed and the events get their next chance.
+///
+/// With `--integrator event` only 1000 events in a frame, or cubes that are wedged, hand over.
 class Track {
  public:
   Track(const System& system, const MotionSettings& settings);
@@ -56,6 +58,7 @@ class Track {
 
  private:
   void count_events();
+  [[nodiscard]] long affordable_events() const;
   void hand_over();
   void step(double limit);
   void hand_back();
