@@ -51,9 +51,31 @@ std::string read_file(const std::string& path) {
                                nearest_name_hint(source, names)));
 }
 
-}  // namespace
+/// Says what a scene asks for that the program does not compute, so that nothing is left out
+/// silently.
+Scene with_note(Scene scene) {
+  bool friction = false;
+  bool restitution = false;
+  const auto look = [&](double mu, double e) {
+    friction = friction || mu > 0.0;
+    restitution = restitution || e > 0.0;
+  };
+  for (const SceneCube& cube : scene.cubes)
+    look(cube.material.friction, cube.material.restitution);
+  for (const ScenePair& pair : scene.pairs)
+    look(pair.friction.value_or(0.0), pair.restitution.value_or(0.0));
+  if (friction || restitution) {
+    fmt::print(stderr,
+               "wuerfel: note: the scene asks for {}, which is not computed: contacts are "
+               "frictionless and impacts inelastic\n",
+               friction && restitution ? "friction and restitution"
+               : friction              ? "friction"
+                                       : "restitution");
+  }
+  return scene;
+}
 
-Scene read_scene(const SceneChoice& choice) {
+Scene scene_of(const SceneChoice& choice) {
   const auto& [source, overrides] = choice;
   if (source == "-")
     return parse_scene(read_stream(std::cin, "standard input"), "standard input", overrides);
@@ -66,6 +88,10 @@ Scene read_scene(const SceneChoice& choice) {
   if (!file && !folder) unknown_source(source);
   return parse_scene(read_file(source), source, overrides);
 }
+
+}  // namespace
+
+Scene read_scene(const SceneChoice& choice) { return with_note(scene_of(choice)); }
 
 std::string text_hash(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325U;

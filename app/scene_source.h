@@ -15,7 +15,7 @@ struct SceneChoice {
   std::vector<std::string> overrides;  ///< key=value
 };
 
-/// Throws SceneError.
+/// Throws SceneError. Notes on stderr what the scene asks for and the program does not compute.
 Scene read_scene(const SceneChoice& choice);
 
 /// 64-bit FNV-1a of the text in hexadecimal: names a scene in summaries.
