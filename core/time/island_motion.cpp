@@ -15,7 +15,7 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double shortest_window = 0.05;
 constexpr double longest_window = 8.0;
 constexpr double first_window = 0.5;
-/// Prediction of sweeps: this much more than the path of free flight and half a L.
+/// Prediction of sweeps: this much of the path of free flight.
 constexpr double sweep_reserve = 1.2;
 /// What the tolerance promises of energy, per L / V: times that of all that moves or hangs.
 constexpr double drift_share = 10.0;

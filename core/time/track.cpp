@@ -102,8 +102,7 @@ void Track::count_events() {
   }
   frame_events_ += events_.events() - last_events_;
   last_events_ = events_.events();
-  if (events_.wedged() || frame_events_ > (patience_ > 1 ? most_events_again : most_events))
-    hand_over();
+  if (events_.wedged() || frame_events_ > affordable_events()) hand_over();
 }
 
 long Track::affordable_events() const {
