@@ -22,7 +22,8 @@ struct BoundingBox {
 using IndexPair = std::pair<int, int>;
 
 /// Finds overlapping pairs with a balanced tree of bounds (median split of the centres); O(N log N
-/// + pairs) whatever the sizes and the arrangement. Keeps its memory from call to call.
+/// + pairs) whatever the sizes and the arrangement. Keeps its memory from call to call, and the
+/// pairs of somewhat larger bounds, which serve until one of the bounds has left its larger one.
 class BroadPhase {
  public:
   /// Pairs (i, j), i < j, in ascending order.
@@ -35,12 +36,19 @@ class BroadPhase {
     int end = 0;
     int right = -1;  ///< right child; the left one follows its parent; -1: leaf
   };
-  int build(std::span<const BoundingBox> bounds, int begin, int end);
-  void query(std::span<const BoundingBox> bounds, int leaf_item);
+  [[nodiscard]] bool still_serve(std::span<const BoundingBox> bounds) const;
+  void find_near_pairs(std::span<const BoundingBox> bounds);
+  int build(int begin, int end);
+  void query(int leaf);
+  void sort_near_pairs();
 
+  std::vector<BoundingBox> large_;  ///< bounds with a margin
   std::vector<int> order_;
   std::vector<Node> nodes_;
   std::vector<int> stack_;
+  std::vector<IndexPair> near_;  ///< pairs of the large ones, ascending
+  std::vector<IndexPair> unsorted_;
+  std::vector<int> place_;
   std::vector<IndexPair> pairs_;
 };
 
