@@ -125,7 +125,7 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
   std::vector<std::vector<std::pair<int, int>>> places_of_block(rows_of_block.size());
   first_.assign(rows, 0);
   start_.assign(rows, 0);
-  int size = 0;
+  std::ptrdiff_t size = 0;
   for (int i = 0; i < static_cast<int>(rows); ++i) {
     const auto row = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
     int first = i;
@@ -163,15 +163,13 @@ void EqualitySolver::factorise(const QuadraticProgram& p) {
   }
   dependent_ = 0;
   for (int i = 0; i < p.rows(); ++i) {
-    double* row = &factor_[static_cast<std::size_t>(start_[static_cast<std::size_t>(i)]
-                                                    + first_[static_cast<std::size_t>(i)])];
     const int first = first_[static_cast<std::size_t>(i)];
+    double* row = &factor_[place(i, first)];
     double squares = 0.0;
     for (int j = first; j < i; ++j) {
       const int from = std::max(first, first_[static_cast<std::size_t>(j)]);
       const double* a = row + (from - first);
-      const double* b =
-          &factor_[static_cast<std::size_t>(start_[static_cast<std::size_t>(j)] + from)];
+      const double* b = &factor_[place(j, from)];
       const double sum =
           (row[j - first] - dot(a, b, j - from)) * inverse_[static_cast<std::size_t>(j)];
       row[j - first] = sum;

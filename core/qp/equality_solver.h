@@ -2,6 +2,7 @@
 /// b. No search, one factorisation: the right-hand side of smooth motion between events.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/qp/quadratic_program.h"
@@ -39,19 +40,18 @@ class EqualitySolver {
   void find_order(const std::vector<std::vector<int>>& rows_of_block);
   void find_envelope(const QuadraticProgram& program);
   void substitute(std::vector<double>& r) const;
-  [[nodiscard]] double& at(int i, int j) {
-    return factor_[static_cast<std::size_t>(start_[static_cast<std::size_t>(i)] + j)];
+  [[nodiscard]] std::size_t place(int i, int j) const {
+    return static_cast<std::size_t>(start_[static_cast<std::size_t>(i)] + j);
   }
-  [[nodiscard]] double at(int i, int j) const {
-    return factor_[static_cast<std::size_t>(start_[static_cast<std::size_t>(i)] + j)];
-  }
+  [[nodiscard]] double& at(int i, int j) { return factor_[place(i, j)]; }
+  [[nodiscard]] double at(int i, int j) const { return factor_[place(i, j)]; }
 
   std::vector<int> row_start_;  ///< of the program that the envelope belongs to
   std::vector<int> entry_block_;
   std::vector<int> order_;  ///< rows in the order of elimination
   std::vector<Coupling> couplings_;
-  std::vector<int> first_;  ///< first column within the envelope of the row at place i
-  std::vector<int> start_;  ///< where column 0 of that row is, or would be, in factor_
+  std::vector<int> first_;             ///< first column within the envelope of the row at place i
+  std::vector<std::ptrdiff_t> start_;  ///< where column 0 of that row is, or would be, in factor_
   std::vector<double> factor_;
   std::vector<double> inverse_;  ///< 1 / diagonal; 0 for a row that is left out
   std::vector<double> residual_;
