@@ -124,13 +124,16 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
     const double norm = std::sqrt(problem.square()[i]);
     const Range range{problem.force_min()[i], problem.force_max()[i]};
     const bool free = norm > 0.0 && range.low < range.high;
-    lambda_[i] = free                   ? inside(range, warm ? lambda_[i] : 0.0, size / norm)
+    const double gap = first_gap * size * norm;
+    // What is open at y = 0 by more than that begins with its own gap, and a multiplier that is the
+    // smaller for it.
+    const double open = warm || is_finite(range.high) ? gap : std::max(gap, -problem.h()[i]);
+    const double first = size / norm * (gap / open);
+    lambda_[i] = free                   ? inside(range, warm ? lambda_[i] : 0.0, first)
                  : is_finite(range.low) ? range.low
                                         : 0.0;
-    p_[i] =
-        free && is_finite(range.low) ? std::max(first_gap * size * norm, warm ? p_[i] : 0.0) : 0.0;
-    q_[i] =
-        free && is_finite(range.high) ? std::max(first_gap * size * norm, warm ? q_[i] : 0.0) : 0.0;
+    p_[i] = free && is_finite(range.low) ? std::max(open, warm ? p_[i] : 0.0) : 0.0;
+    q_[i] = free && is_finite(range.high) ? std::max(gap, warm ? q_[i] : 0.0) : 0.0;
     count_ += (p_[i] > 0.0 ? 1 : 0) + (q_[i] > 0.0 ? 1 : 0);
   }
   find_rest(problem);
