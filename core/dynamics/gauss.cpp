@@ -7,8 +7,9 @@ namespace wuerfel {
 
 namespace {
 
-/// A former answer is taken if its residual is below this: what a new solve would reach as well.
-constexpr double certificate_tolerance = 1e-12;
+/// A former answer is taken if its residual is below this share of the tolerance: what a new solve
+/// would reach as well.
+constexpr double certificate_share = 1e-2;
 
 /// Shares of g: rest is certified below the first; what is above the second is no rounding.
 constexpr double rest_acceleration = 1e-10;
@@ -16,8 +17,14 @@ constexpr double certain_fall = 9e-10;
 /// A cube may be left with this many times what the residual leaves of the largest force.
 constexpr double left_over_times = 2.0;
 
-/// What a guess of the pressing contacts must reach to be taken.
+/// What a guess of the pressing contacts must reach to be taken, up to how many cubes one is worth
+/// its linear algebra, and the longest pause, in solves, after guesses that failed.
 constexpr double guess_tolerance = 1e-11;
+constexpr std::size_t most_guessed_cubes = 64;
+constexpr int longest_pause = 64;
+
+/// Programs of so many cubes are solved exactly.
+constexpr std::size_t few_cubes = 24;
 
 /// Small programs whose residual is above this are finished off as well: it costs next to nothing.
 constexpr double finished_residual = 1e-13;
@@ -40,17 +47,23 @@ double slack(const QuadraticProgram& program, std::size_t row, const std::vector
 
 }  // namespace
 
-IslandDynamics::IslandDynamics(const System& system, const MotionSettings& settings)
-    : system_(&system), settings_(settings), builder_(system, settings.formulation) {}
+IslandDynamics::IslandDynamics(const System& system,
+                               const MotionSettings& settings,
+                               const ProgramTolerances& tolerances)
+    : system_(&system), settings_(settings), builder_(system, settings.formulation) {
+  impacts_.tolerance = tolerances.impact;
+  corrections_.tolerance = tolerances.correction;
+  placements_.tolerance = tolerances.placement;
+}
 
-bool IslandDynamics::still_passes(Memory& memory) const {
+bool IslandDynamics::still_passes(Memory& memory, double tolerance) const {
   const QuadraticProgram& program = builder_.program();
   QpResult& former = memory.result;
   if (!settings_.skips.certificate || former.status != QpStatus::optimal) return false;
   if (static_cast<int>(former.x.size()) != program.unknowns()) return false;
   if (static_cast<int>(former.multiplier.size()) != program.rows()) return false;
   const QpResidual residual = optimality_residual(program, former.x, former.multiplier);
-  if (residual.worst() > certificate_tolerance) return false;
+  if (residual.worst() > certificate_share * tolerance) return false;
   former.residual = residual;
   return true;
 }
@@ -58,10 +71,16 @@ bool IslandDynamics::still_passes(Memory& memory) const {
 /// Contacts that pressed last time press again, mostly.
 bool IslandDynamics::guess(const Island& island, Memory& memory) {
   if (!settings_.skips.warm_start || settings_.solver != QpMethod::automatic
-      || settings_.formulation != Formulation::rigid || memory.pressing.empty())
+      || island.cubes.size() > most_guessed_cubes || settings_.formulation != Formulation::rigid
+      || memory.pressing.empty())
     return false;
+  const int pause = std::min((1 << std::min(memory.failed_guesses, 16)) - 1, longest_pause);
+  if (memory.since_guess++ < pause) return false;
+  memory.since_guess = 0;
   guess_from(island, memory);
-  return guess_.solve(builder_.program(), guess_tolerance, tight_, memory.result);
+  const bool right = guess_.solve(builder_.program(), guess_tolerance, tight_, memory.result);
+  memory.failed_guesses = right ? 0 : memory.failed_guesses + 1;
+  return right;
 }
 
 void IslandDynamics::guess_from(const Island& island, const Memory& memory) {
@@ -102,16 +121,22 @@ void IslandDynamics::remember_pressing(const Island& island, Memory& memory) con
 IslandSolution IslandDynamics::solve(const State& state, const Island& island, Memories& memories) {
   const QuadraticProgram& program = builder_.program();
   // Ipopt remembers nothing but is expensive to make: one for all.
-  Memory& memory = memories[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
+  Memory& memory =
+      memories.of_island[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
+  const double tolerance =
+      island.cubes.size() > few_cubes ? memories.tolerance : QpSettings{}.tolerance;
   IslandSolution solution;
-  solution.skipped = still_passes(memory);
+  solution.skipped = still_passes(memory, tolerance);
   if (!solution.skipped && !guess(island, memory)) {
-    if (!memory.solver) memory.solver = make_qp_solver(settings_.solver);
+    if (!memory.solver || memory.tolerance != tolerance) {
+      memory.solver = make_qp_solver(settings_.solver, {.tolerance = tolerance});
+      memory.tolerance = tolerance;
+    }
     if (!settings_.skips.warm_start) memory.solver->forget();
     memory.solver->solve(program, memory.result);
     const double reached = memory.result.residual.worst();
     if (memory.result.status == QpStatus::inaccurate) {
-      finish_off(island, memory, QpSettings{}.tolerance);
+      finish_off(island, memory, tolerance);
     } else if (memory.result.status == QpStatus::optimal && reached > finished_residual
                && program.rows() <= small_program) {
       finish_off(island, memory, 0.1 * reached);

@@ -23,11 +23,21 @@ struct [[nodiscard]] IslandSolution {
   std::vector<double> slacks;
 };
 
+/// How exactly programs of more than a few cubes are solved: bounds of QpResidual::worst(). Small
+/// ones are always exact, which costs them nothing.
+struct ProgramTolerances {
+  double impact = QpSettings{}.tolerance;
+  double correction = QpSettings{}.tolerance;  ///< displacements nearest to none
+  double placement = QpSettings{}.tolerance;   ///< displacements nearest to targets
+};
+
 /// Builds and solves programs. Remembers, island by island, what a solver can start from; an island
 /// is known by its first cube.
 class IslandDynamics {
  public:
-  IslandDynamics(const System& system, const MotionSettings& settings);
+  IslandDynamics(const System& system,
+                 const MotionSettings& settings,
+                 const ProgramTolerances& tolerances = {});
 
   /// Accelerations (m/s^2, rad/s^2) and contact forces under the contacts that do not open.
   IslandSolution accelerations(const State& state, const Island& island);
@@ -51,13 +61,20 @@ class IslandDynamics {
   /// The last program of an island: its answer, and the solver with what that remembers.
   struct Memory {
     std::unique_ptr<QpSolver> solver;
+    double tolerance = 0.0;  ///< of the solver
     QpResult result;
     std::vector<ContactId> pressing;  ///< contacts with a force, sorted
+    int failed_guesses = 0;           ///< in a row
+    int since_guess = 0;              ///< solves since the last one
   };
-  using Memories = std::map<int, Memory>;
+  /// Of programs of one kind, by the first cube of the island.
+  struct Memories {
+    double tolerance = QpSettings{}.tolerance;
+    std::map<int, Memory> of_island;
+  };
 
   IslandSolution solve(const State& state, const Island& island, Memories& memories);
-  [[nodiscard]] bool still_passes(Memory& memory) const;
+  [[nodiscard]] bool still_passes(Memory& memory, double tolerance) const;
   bool guess(const Island& island, Memory& memory);
   void guess_from(const Island& island, const Memory& memory);
   void finish_off(const Island& island, Memory& memory, double tolerance);

@@ -12,8 +12,11 @@ constexpr double goal_share = 1e-2;  ///< newton aims this far below the toleran
 constexpr double interior_goal_share =
     1e-1;                            ///< interior_point this far, where every step costs factors
 constexpr double best_goal = 2e-14;  ///< but not below rounding
-constexpr int small_problem = 300;   ///< blocks up to which newton is cheap
-constexpr int large_problem = 1500;  ///< blocks from which it is not tried again
+/// Above this tolerance an answer within the goal is not improved, and newton, whose answers are
+/// exact or none, is not tried.
+constexpr double exact_tolerance = 1e-9;
+constexpr int small_problem = 300;              ///< blocks up to which newton is cheap
+constexpr int large_problem = 1500;             ///< blocks from which it is not tried again
 constexpr int most_newton_factorisations = 20;  ///< then the other method takes over
 constexpr double most_wrong_guesses =
     0.2;  ///< part of the rows above which the other method takes over
@@ -111,6 +114,7 @@ void BlockSolver::run(const QuadraticProgram& program,
 /// After newton itself, or when its turn comes again: at once after the first answer of the other
 /// method, later now and then.
 bool BlockSolver::newton_is_due() {
+  if (settings_.tolerance > exact_tolerance) return false;
   ++since_newton_;
   if (newton_won_) return true;
   if (!tried_newton_) {
@@ -141,8 +145,9 @@ void BlockSolver::run_interior_point(const QuadraticProgram& program,
     const MethodOutcome outcome = interior_point_.run(
         problem_, scales, interior_goal_share * settings_.tolerance, warm, proximal);
     (warm ? warm_factorisations_ : cold_factorisations_) = outcome.factorisations;
-    return take(program, scales, outcome, best_goal, interior_point_.y(),
-                interior_point_.multiplier(), result);
+    const double enough = settings_.tolerance > exact_tolerance ? settings_.tolerance : best_goal;
+    return take(program, scales, outcome, enough, interior_point_.y(), interior_point_.multiplier(),
+                result);
   };
   if (interior_point_.can_start_warm(problem_) && warm_factorisations_ < cold_factorisations_) {
     if (attempt(true, proximal_terms.front())) return;
