@@ -259,19 +259,55 @@ Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
                         incident_corners(a, best.side, b, std::numeric_limits<double>::max()));
 }
 
-void add_near_contacts(
-    std::span<const Box> boxes, int i, int j, double flush, std::vector<Contact>& contacts) {
-  const Contact nearest = nearest_corner(boxes, i, j);
-  const Box& a = boxes[static_cast<std::size_t>(nearest.from)];
-  const Box& b = boxes[static_cast<std::size_t>(nearest.on)];
-  const int facing = facing_side(b, nearest.normal);
-  if (std::abs(det(nearest.normal, b.normal(facing))) <= flush) {
-    const Candidate side{nearest.from, nearest.on, nearest.side, nearest.gap};
-    if (add_face(side, a, b, touching_tolerance * std::min(a.smaller_side(), b.smaller_side()),
+FacingSide separating_side(std::span<const Box> start, std::span<const Box> end, int i, int j) {
+  // What has closed by rounding at the start has not closed yet.
+  const double zero = touching_tolerance
+                      * std::min(start[static_cast<std::size_t>(i)].smaller_side(),
+                                 start[static_cast<std::size_t>(j)].smaller_side());
+  FacingSide best;
+  FacingSide deepest;
+  double latest = -1.0;
+  best.gap = deepest.gap = -std::numeric_limits<double>::infinity();
+  FacingSide meeting;
+  for (int index = 0; index < 8; ++index) {
+    const int from = index < 4 ? i : j;
+    const int on = index < 4 ? j : i;
+    const auto f = static_cast<std::size_t>(from);
+    const auto o = static_cast<std::size_t>(on);
+    const int side = index & 3;
+    const double before = side_separation(start[f], side, start[o]);
+    const double after = side_separation(end[f], side, end[o]);
+    const double both = std::min(before, after);
+    if (both > best.gap) best = {from, on, side, both};
+    if (before > deepest.gap) deepest = {from, on, side, before};
+    if (before < -zero || after >= 0.0) continue;
+    const double open = std::max(before, 0.0);
+    const double when = open / (open - after);
+    if (when > latest) {
+      latest = when;
+      meeting = {from, on, side, after};
+    }
+  }
+  if (best.gap >= 0.0) return best;
+  if (latest >= 0.0) return meeting;
+  return {deepest.from, deepest.on, deepest.side, best.gap};
+}
+
+void add_near_contacts(std::span<const Box> boxes,
+                       const FacingSide& side,
+                       double flush,
+                       std::vector<Contact>& contacts) {
+  const Candidate s{side.from, side.on, side.side, side.gap};
+  const Box& a = boxes[static_cast<std::size_t>(s.from)];
+  const Box& b = boxes[static_cast<std::size_t>(s.on)];
+  const Vec2 n = a.normal(s.side);
+  if (std::abs(det(n, b.normal(facing_side(b, n)))) <= flush) {
+    if (add_face(s, a, b, touching_tolerance * std::min(a.smaller_side(), b.smaller_side()),
                  contacts))
       return;
   }
-  contacts.push_back(nearest);
+  contacts.push_back(
+      deepest_corner(s, a, b, incident_corners(a, s.side, b, std::numeric_limits<double>::max())));
 }
 
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact) {

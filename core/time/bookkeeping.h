@@ -36,6 +36,7 @@ struct Audit {
       0;  ///< times at which events had to be passed over or the error control gave up
   long searches_given_up = 0;  ///< event searches that left a gap near zero unproved; overlap is
                                ///< measured afterwards
+  long stopped_short = 0;      ///< steps at whose end cubes had to stop to leave no overlap
   long wedged = 0;             ///< programs without any solution: cubes wedged by their turning
   double drift_budget = 0.0;   ///< J, what the tolerance promises of |drift()|; 0 where it promises
                                ///< nothing (stepping)

@@ -65,6 +65,7 @@ void add_audit(const Audit& more, Audit& audit) {
   audit.missed_solves += more.missed_solves;
   audit.unresolved += more.unresolved;
   audit.searches_given_up += more.searches_given_up;
+  audit.stopped_short += more.stopped_short;
   audit.wedged += more.wedged;
 }
 

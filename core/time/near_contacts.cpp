@@ -4,75 +4,78 @@
 #include <cmath>
 
 namespace wuerfel {
-namespace {
 
-// Shares of the smaller side of a pair: pairs nearer than this may meet, and pairs that move by
-// more than this may when they are near at neither end of the step.
-constexpr double near_share = 1e-2;
-constexpr double fast_share = 0.25;
+void NearContacts::begin(const State& state, double h, double gravity) {
+  step_ = h;
+  gravity_ = gravity;
+  pose_boxes(*system_, state, start_);
+  spin_.assign(start_.size(), 0.0);
+  for (std::size_t i = 0; i < state.size(); ++i)
+    spin_[i] = std::abs(state[i].spin);
+}
 
-}  // namespace
+void NearContacts::find_towards(const State& end, double reach, std::vector<Contact>& contacts) {
+  find(end, reach, start_, contacts);
+}
 
-void NearContacts::find(const State& start, const State& predicted, double h, double gravity) {
-  pose_boxes(*system_, start, boxes_);
-  pose_boxes(*system_, predicted, predicted_boxes_);
+void NearContacts::find_at(const State& end, double reach, std::vector<Contact>& contacts) {
+  find(end, reach, end_, contacts);
+}
+
+void NearContacts::find(const State& end,
+                        double reach,
+                        const std::vector<Box>& measured,
+                        std::vector<Contact>& contacts) {
+  pose_boxes(*system_, end, end_);
+  contacts.clear();
   bounds_.clear();
-  contacts_.clear();
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const Box& from = boxes_[at];
-    const Box& to = predicted_boxes_[at];
-    const auto extent = [](const Box& box) {
+    const auto extent = [&](const Box& box) {
       return Vec2(box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                  + Vec2::Constant(near_share * box.smaller_side()));
+                  + Vec2::Constant(reach * box.smaller_side()));
     };
-    bounds_.push_back({(from.center - extent(from)).cwiseMin(to.center - extent(to)),
-                       (from.center + extent(from)).cwiseMax(to.center + extent(to))});
+    const Box& a = start_[at];
+    const Box& b = end_[at];
+    bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
+                       (a.center + extent(a)).cwiseMax(b.center + extent(b))});
   }
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    if (system_->is_cube(pair.first)) add_pair(start, pair, h, gravity);
+    if (!system_->is_cube(pair.first)) continue;
+    const auto i = static_cast<std::size_t>(pair.first);
+    const auto j = static_cast<std::size_t>(pair.second);
+    const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
+    const FacingSide side = separating_side(start_, end_, pair.first, pair.second);
+    if (side.gap >= reach * scale) continue;
+    // Sides that may become flush within the step: a second corner on sides that are not gives a
+    // false impulse when a corner passes the end of an edge.
+    const double flush =
+        2.0 * step_ * (spin_[i] + spin_[j]) + 30.0 * gravity_ * step_ * step_ / scale;
+    add_near_contacts(measured, side, flush, contacts);
   }
-  add_planes();
+  add_planes(reach, measured, contacts);
 }
 
-void NearContacts::add_pair(const State& start, const IndexPair& pair, double h, double gravity) {
-  const auto i = static_cast<std::size_t>(pair.first);
-  const auto j = static_cast<std::size_t>(pair.second);
-  const double side = std::min(boxes_[i].smaller_side(), boxes_[j].smaller_side());
-  const Vec2 relative = (predicted_boxes_[i].center - boxes_[i].center)
-                        - (predicted_boxes_[j].center - boxes_[j].center);
-  const bool near = separation(boxes_[i], boxes_[j]) < near_share * side
-                    || separation(predicted_boxes_[i], predicted_boxes_[j]) < near_share * side
-                    || relative.norm() > fast_share * side;
-  if (!near) return;
-  const auto spin = [&](int body) {
-    return system_->is_cube(body) ? std::abs(start[static_cast<std::size_t>(body)].spin) : 0.0;
-  };
-  // Sides that may become flush within the step: a second corner on sides that are not gives a
-  // false impulse when a corner passes the end of an edge.
-  const double flush =
-      2.0 * h * (spin(pair.first) + spin(pair.second)) + 30.0 * gravity * h * h / side;
-  add_near_contacts(boxes_, pair.first, pair.second, flush, contacts_);
-}
-
-void NearContacts::add_planes() {
+void NearContacts::add_planes(double reach,
+                              const std::vector<Box>& measured,
+                              std::vector<Contact>& contacts) const {
   for (int p = 0; p < system_->count(); ++p) {
     const Body& plane = system_->body(p);
     if (plane.kind != BodyKind::plane) continue;
     for (int i = 0; i < system_->cubes; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      const double near = near_share * boxes_[at].smaller_side();
+      const double near = reach * start_[at].smaller_side();
       for (int k = 0; k < 4; ++k) {
         const auto gap = [&](const Box& box) {
           return plane.normal.dot((box.center - plane.point)
                                   + box.arm[static_cast<std::size_t>(k)]);
         };
-        if (gap(boxes_[at]) >= near && gap(predicted_boxes_[at]) >= near) continue;
+        if (gap(start_[at]) >= near && gap(end_[at]) >= near) continue;
         Contact c;
         c.on = i;
         c.from = p;
         c.corner = k;
-        contacts_.push_back(at_poses(*system_, boxes_, c));
+        contacts.push_back(at_poses(*system_, measured, c));
       }
     }
   }

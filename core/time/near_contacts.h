@@ -11,28 +11,36 @@ class NearContacts {
  public:
   explicit NearContacts(const System& system) : system_(&system) {}
 
-  /// Looks at a step of `h` s from `start` to where free flight would lead; `gravity` (m/s^2)
-  /// bounds how sides may turn to each other meanwhile. Corners and sides are chosen at the start.
-  void find(const State& start, const State& predicted, double h, double gravity);
+  /// A step of `h` s begins at `state`; `gravity` (m/s^2) bounds how sides may turn to each other
+  /// within it.
+  void begin(const State& state, double h, double gravity);
 
-  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
-  /// Adds a pair of boxes that was not thought to meet.
-  void add(const IndexPair& pair, double flush) {
-    add_near_contacts(boxes_, pair.first, pair.second, flush, contacts_);
-  }
-  /// Where free flight would lead.
-  [[nodiscard]] const std::vector<Box>& predicted_boxes() const { return predicted_boxes_; }
+  /// Contacts of all pairs that come nearer to each other than `reach` (a share of the smaller
+  /// side) on the way from the beginning to `end`: each pair by the side that keeps it apart
+  /// longest. Their gaps and arms are those of the beginning.
+  void find_towards(const State& end, double reach, std::vector<Contact>& contacts);
+  /// The same pairs and sides with corners, gaps and arms as they are at `end`.
+  void find_at(const State& end, double reach, std::vector<Contact>& contacts);
+  /// Boxes posed by the last search.
+  [[nodiscard]] const std::vector<Box>& end_boxes() const { return end_; }
 
  private:
-  void add_pair(const State& start, const IndexPair& pair, double h, double gravity);
-  void add_planes();
+  void find(const State& end,
+            double reach,
+            const std::vector<Box>& measured,
+            std::vector<Contact>& contacts);
+  void add_planes(double reach,
+                  const std::vector<Box>& measured,
+                  std::vector<Contact>& contacts) const;
 
   const System* system_;
-  std::vector<Box> boxes_;  ///< at the start
-  std::vector<Box> predicted_boxes_;
+  double step_ = 0.0;         ///< s
+  double gravity_ = 0.0;      ///< m/s^2
+  std::vector<double> spin_;  ///< rad/s at the beginning, of every box
+  std::vector<Box> start_;
+  std::vector<Box> end_;
   std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
-  std::vector<Contact> contacts_;
 };
 
 }  // namespace wuerfel

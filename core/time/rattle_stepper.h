@@ -10,6 +10,7 @@
 /// 24, and Moreau's sweeping process for the inequalities.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/dynamics/closed_contacts.h"
@@ -27,10 +28,20 @@ class RattleStepper {
   /// One step of `h` s from a state without overlap at time t. Impacts are booked as events, losses
   /// of energy as theirs. Returns by how much the energy has risen, J (negative: fallen).
   double step(State& state, double t, double h, Bookkeeping& book);
-
-  /// Overlap that the last step left, as a share of the smaller side of the pair: where cubes are
-  /// wedged its programs may contradict themselves, and a shorter step does better.
+  /// Overlap that the last step left, as a share of the smaller side of the pair: the programs of
+  /// wedged cubes may contradict themselves, and a shorter step does better.
   [[nodiscard]] double overlap_left() const { return overlap_left_; }
+  /// Local error of the last step as a share of the smallest side: the root mean square, over cubes
+  /// that struck nothing, of what their way differs from the trapezoidal rule over their
+  /// velocities, which is of third order as the error is.
+  [[nodiscard]] double error() const { return error_; }
+  /// The last step again, with cubes that overlap at its end stopped short on their way: for those
+  /// that no step is short enough for.
+  double stop_short(State& state, double t, Bookkeeping& book);
+  /// Where the cubes are at `share` of a step of `h` s from one state to the next, without overlap.
+  [[nodiscard]] State look(const State& from, const State& to, double h, double share);
+  /// Deepest overlap of a state, as a share of the smaller side of the pair.
+  double measure_overlap(const State& state);
 
   /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing
   /// tunnels.
@@ -45,19 +56,29 @@ class RattleStepper {
     Contact contact;
     double impulse = 0.0;  ///< N s, of the position program
   };
-  void place(State& state, const State& predicted, double h, Bookkeeping& book);
-  void place_island(
-      const Island& island, const State& predicted, double h, State& state, Bookkeeping& book);
-  void close_pressed(State& state, const std::vector<Contact>& found);
+  void place(State& state, Bookkeeping& book);
+  void place_island(const Island& island, State& state, Bookkeeping& book);
+  void bend(const Island& island,
+            const std::vector<Twist>& targets,
+            const IslandSolution& straight,
+            State& state,
+            Bookkeeping& book);
+  IslandSolution apart(Island island,
+                       const State& state,
+                       std::span<const Twist> targets,
+                       Bookkeeping& book);
   void place_cubes(const Island& island, const IslandSolution& solution, State& state) const;
-  void clean_up(State& state, double h, Bookkeeping& book);
-  [[nodiscard]] bool overlaps(const std::vector<Box>& boxes, const Contact& c) const;
-  void hit(State& state, double t, double h, Bookkeeping& book);
-  void log_hits(const Island& island,
-                const IslandSolution& solution,
-                double t,
-                double h,
-                Bookkeeping& book) const;
+  void note_pressed(const Island& island, const IslandSolution& solution);
+  void clean_up(State& state, Bookkeeping& book);
+  double arrive(State& state, double t, Bookkeeping& book);
+  void hit(State& state, double t, Bookkeeping& book);
+  [[nodiscard]] double closing_speed(const Contact& contact) const;
+  void retreat(State& state);
+  [[nodiscard]] BodyState between(const BodyState& from,
+                                  const BodyState& to,
+                                  double radius,
+                                  double share) const;
+  void estimate_error(const State& state);
 
   const System* system_;
   IslandDynamics dynamics_;
@@ -66,9 +87,13 @@ class RattleStepper {
   ContactFinder finder_;
   Scales scales_;
   double overlap_left_ = 0.0;
-  State start_;  ///< of the step
-  std::vector<Box> end_boxes_;
+  double error_ = 0.0;
+  double h_ = 0.0;          ///< s, of the step
+  State start_;             ///< of the step
+  State predicted_;         ///< where free flight would lead
+  std::vector<Box> boxes_;  ///< where it is being looked at
   std::vector<Contact> contacts_;
+  std::vector<Contact> overlapping_;
   std::vector<Pressed> pressed_;
   std::vector<Island> islands_;
   std::vector<SideUse> use_;

@@ -57,10 +57,14 @@ class Track {
   void sweep(double t, std::vector<BoundingBox>& bounds) const;
 
  private:
-  void count_events();
+  [[nodiscard]] double frame() const;
+  void count_events(double t, long more);
+  void consider_events();
   [[nodiscard]] long affordable_events() const;
-  void hand_over();
+  void hand_over(const State& state, double t);
   void step(double limit);
+  void bring_down(State& state) const;
+  void go_on_or_hand_back();
   void hand_back();
 
   const System* system_;
@@ -73,10 +77,13 @@ class Track {
   double clock_ = 0.0;  ///< s, of the stepping
   State state_;         ///< of the stepping
   std::deque<MotionPiece> pieces_;
-  double until_ = 0.0;  ///< s, end of the stepping
-  double step_ = 0.0;   ///< s
-  long frame_ = 0;      ///< number of the frame in which events are counted
+  double until_ = 0.0;    ///< s, end of the stepping
+  double step_ = 0.0;     ///< s, proposed for the next step
+  double longest_ = 0.0;  ///< s, of a step
+  double ceiling_ = 0.0;  ///< J, what the energy may be
+  long frame_ = 0;        ///< number of the frame in which events are counted
   long frame_events_ = 0;
+  long former_events_ = 0;  ///< of the frame before
   long last_events_ = 0;
   int patience_ = 1;          ///< frames of the next stepping
   double handed_back_ = 0.0;  ///< s
