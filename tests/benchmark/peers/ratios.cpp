@@ -100,6 +100,18 @@ std::string why_not(const Comparison& c) {
              *c.best->state_error, time);
 }
 
+// Those that were measured and have an exact answer.
+bool counts(const BenchRow& row) { return row.state_error && row.repeats > 0; }
+
+Rows rows_of(const std::vector<BenchRow>& rows,
+             const std::string& scene,
+             const std::string& engine) {
+  Rows found;
+  for (const BenchRow& row : rows)
+    if (row.scene == scene && row.engine == engine && counts(row)) found.push_back(&row);
+  return found;
+}
+
 }  // namespace
 
 std::string ratio_table(const std::vector<BenchRow>& rows) {
@@ -109,7 +121,7 @@ std::string ratio_table(const std::vector<BenchRow>& rows) {
     if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
   };
   for (const BenchRow& row : rows) {
-    if (!row.state_error || row.repeats == 0) continue;
+    if (!counts(row)) continue;
     note(scenes, row.scene);
     if (row.engine != "wuerfel") note(engines, row.engine);
   }
@@ -118,16 +130,10 @@ std::string ratio_table(const std::vector<BenchRow>& rows) {
       "our time | ours | error ratio at equal time |\n|---|---|---|---|---|---|---|---|\n";
   std::string reasons;
   for (const std::string& scene : scenes) {
-    Rows ours;
-    for (const BenchRow& row : rows)
-      if (row.scene == scene && row.engine == "wuerfel" && row.state_error && row.repeats > 0)
-        ours.push_back(&row);
+    const Rows ours = rows_of(rows, scene, "wuerfel");
     if (ours.empty()) continue;
     for (const std::string& engine : engines) {
-      Rows theirs;
-      for (const BenchRow& row : rows)
-        if (row.scene == scene && row.engine == engine && row.state_error && row.repeats > 0)
-          theirs.push_back(&row);
+      const Rows theirs = rows_of(rows, scene, engine);
       if (theirs.empty()) continue;
       const Comparison comparison = compare(ours, theirs);
       text += line(comparison);

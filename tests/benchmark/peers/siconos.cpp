@@ -40,16 +40,17 @@ using Matrix = std::vector<double>;  // by columns
 
 /// Rows of J, dense: `per_contact` 1 has the program's own; 2 adds a tangent to each, without
 /// moment: where friction is 0 its force is 0, whatever the row.
-Matrix dense_rows(const QuadraticProgram& program, int per_contact) {
-  const auto rows = static_cast<std::size_t>(per_contact * program.rows());
-  Matrix J(rows * static_cast<std::size_t>(program.unknowns()));
-  for (int i = 0; i < program.rows(); ++i) {
-    for (int e = program.row_start[static_cast<std::size_t>(i)];
-         e < program.row_start[static_cast<std::size_t>(i) + 1]; ++e) {
+Matrix dense_rows(const QuadraticProgram& program, std::size_t per_contact) {
+  const std::size_t contacts = program.bound.size();
+  const std::size_t rows = per_contact * contacts;
+  const auto block_size = static_cast<std::size_t>(program.block_size);
+  Matrix J(rows * program.mass.size());
+  for (std::size_t i = 0; i < contacts; ++i) {
+    const std::size_t row = per_contact * i;
+    for (int e = program.row_start[i]; e < program.row_start[i + 1]; ++e) {
       const auto g = program.entry(e);
-      const auto column = static_cast<std::size_t>(
-          program.block_size * program.entry_block[static_cast<std::size_t>(e)]);
-      const auto row = static_cast<std::size_t>(per_contact * i);
+      const std::size_t column =
+          block_size * static_cast<std::size_t>(program.entry_block[static_cast<std::size_t>(e)]);
       for (std::size_t k = 0; k < g.size(); ++k)
         J[row + rows * (column + k)] = g[k];
       if (per_contact == 1) continue;
@@ -67,12 +68,12 @@ struct Delassus {
   std::vector<double> q;
 };
 
-Delassus delassus(const QuadraticProgram& program, int per_contact) {
+Delassus delassus(const QuadraticProgram& program, std::size_t per_contact) {
   const Matrix J = dense_rows(program, per_contact);
-  const auto n = static_cast<std::size_t>(per_contact * program.rows());
+  const std::size_t n = per_contact * program.bound.size();
   Delassus result{static_cast<int>(n), Matrix(n * n), std::vector<double>(n)};
   for (std::size_t i = 0; i < program.bound.size(); ++i)
-    result.q[i * static_cast<std::size_t>(per_contact)] = -program.bound[i];
+    result.q[i * per_contact] = -program.bound[i];
   for (std::size_t k = 0; k < program.mass.size(); ++k) {
     for (std::size_t j = 0; j < n; ++j) {
       const double g = J[j + n * k];
@@ -154,10 +155,7 @@ Options options_of(const Method& method) {
 }
 
 struct Release {
-  void operator()(NumericsMatrix* matrix) const {
-    NM_clear(matrix);
-    std::free(matrix);
-  }
+  void operator()(NumericsMatrix* matrix) const { NM_free(matrix); }
 };
 using SiconosMatrix = std::unique_ptr<NumericsMatrix, Release>;
 
@@ -178,7 +176,7 @@ SiconosMatrix block_matrix(const Delassus& given) {
 }
 
 Answer theirs(const QuadraticProgram& program, const Method& method) {
-  const int per_contact = method.form == Form::complementarity ? 1 : 2;
+  const std::size_t per_contact = method.form == Form::complementarity ? 1 : 2;
   Delassus given = delassus(program, per_contact);
   const SiconosMatrix W =
       method.form == Form::sparse_friction ? block_matrix(given) : dense_matrix(given);
@@ -197,31 +195,30 @@ Answer theirs(const QuadraticProgram& program, const Method& method) {
                : fc2d_driver(&contacts, z.data(), w.data(), options.get());
   });
   std::vector<double> multiplier;
-  for (std::size_t i = 0; i < z.size(); i += static_cast<std::size_t>(per_contact))
+  for (std::size_t i = 0; i < z.size(); i += per_contact)
     multiplier.push_back(z[i]);
   return {time.seconds, residual(program, multiplier), info == 0};
 }
 
 /// What was stdout. Siconos writes warnings there, which go nowhere: its answers are judged.
-std::FILE* table = nullptr;
-
-void take_stdout() {
-  table = fdopen(dup(STDOUT_FILENO), "w");
+std::FILE* take_stdout() {
+  std::FILE* table = fdopen(dup(STDOUT_FILENO), "w");
   if (table == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr) {
     std::fprintf(stderr, "siconos: cannot redirect stdout\n");
     std::exit(1);
   }
+  return table;
 }
 
 /// A cell of the table.
-void print(const Answer& answer) {
+void print(std::FILE* table, const Answer& answer) {
   const bool small = answer.seconds < 1e-3;
   std::fprintf(table, " %.3g %s, %.0e%s |", answer.seconds * (small ? 1e6 : 1e3),
                small ? "us" : "ms", answer.residual, answer.claimed ? "" : " (gives up)");
   std::fflush(table);
 }
 
-void print_head() {
+void print_head(std::FILE* table) {
   std::fprintf(table, "| program | bodies, contacts | wuerfel |");
   for (const Method& method : methods)
     std::fprintf(table, " %s |", method.name);
@@ -251,14 +248,15 @@ std::vector<test::ZooProgram> programs() {
 }  // namespace
 
 int main() {
-  take_stdout();
-  print_head();
+  std::FILE* table = take_stdout();
+  print_head(table);
   for (const auto& [name, program] : programs()) {
     std::fprintf(table, "| %s | %d, %d |", name.c_str(), program.blocks(), program.rows());
-    print(ours(program));
+    print(table, ours(program));
     for (const Method& method : methods)
-      print(theirs(program, method));
+      print(table, theirs(program, method));
     std::fprintf(table, "\n");
   }
+  std::fclose(table);
   return 0;
 }
