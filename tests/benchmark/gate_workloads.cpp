@@ -15,6 +15,7 @@
 #include "app/bench_scenes.h"
 #include "core/qp/qp_solver.h"
 #include "core/time/simulation.h"
+#include "render/compose_frame.h"
 #include "render/png.h"
 #include "tests/support/qp_zoo.h"
 
@@ -102,6 +103,23 @@ void count_programs(const std::string& name, const Build& build) {
   count(name + " warm", [&] { solver->solve(second, result); });
 }
 
+/// A picture of 91 cubes with rods and forces as a list of shapes, up to where Mesa takes over.
+void count_composing() {
+  const BenchScene bench = make_bench_scene("pyramid_13");
+  const Simulation simulation(bench.scene, MotionSettings{});
+  const Snapshot snapshot = simulation.snapshot({.forces = true, .rods = true});
+  const Style style = make_style(Theme::light);
+  FrameOptions options;
+  options.layers = {Layer::cubes, Layer::rods, Layer::forces, Layer::hud};
+  options.force_scale.metres_per_newton = 0.1;
+  Bounds bounds;
+  bounds.include(snapshot, options.force_scale);
+  const View view = fit_view(bounds, 1280, 720, frame_insets(style, options, 1280, 720));
+  Font font;
+  count("compose pyramid_13",
+        [&] { static_cast<void>(compose_frame(snapshot, view, style, options, font)); });
+}
+
 /// A flat picture, as all of ours are, to the compressed pixels of a PNG file.
 void count_encoding() {
   Image image(1280, 720);
@@ -123,6 +141,7 @@ int main() {
   count_programs("tower 100", [](const test::ZooOptions& o) { return test::tower(100, o); });
   count_programs("pile 100", [](const test::ZooOptions& o) { return test::pile(100, o); });
   count_programs("wall 10 x 10", [](const test::ZooOptions& o) { return test::wall(10, 10, o); });
+  count_composing();
   count_encoding();
   return 0;
 }
