@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "app/commit.h"
+
 namespace wuerfel {
 
 namespace {
@@ -49,7 +51,7 @@ BenchMachine this_machine() {
     if (colon != std::string::npos) cpu = line.substr(colon + 2);
   }
   return {fmt::format("{} ({} cores)", cpu, cores), fmt::format("GCC {}", __VERSION__),
-          WUERFEL_VERSION};
+          WUERFEL_VERSION, std::string(commit())};
 }
 
 std::string bench_csv(const std::vector<BenchRow>& rows, const BenchMachine& machine) {
@@ -57,24 +59,24 @@ std::string bench_csv(const std::vector<BenchRow>& rows, const BenchMachine& mac
       "scene,bodies,engine,method,tolerance,step,simulated_s,repeats,cpu_s,cpu_setup_s,state_error,"
       "place_error,"
       "event_error_s,overlap_m,energy_drift_J,residual,steps,solves,skips,status,machine,compiler,"
-      "version\n";
+      "version,commit\n";
   for (const BenchRow& row : rows) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},", field(row.scene), row.bodies,
                         field(row.engine), field(row.method), number(row.tolerance),
                         number(row.step), number(row.simulated), row.repeats,
                         row.repeats > 0 ? number(row.cpu) : std::string{}, number(row.cpu_setup));
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number(row.state_error),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", number(row.state_error),
                         number(row.place_error), number(row.event_error), number(row.overlap),
                         number(row.energy_drift), number(row.residual), row.steps, row.solves,
                         row.skips, field(row.status), field(machine.cpu), field(machine.compiler),
-                        field(machine.version));
+                        field(machine.version), field(machine.commit));
   }
   return text;
 }
 
 std::string bench_table(const std::vector<BenchRow>& rows, const BenchMachine& machine) {
-  std::string text =
-      fmt::format("wuerfel {}, {}, {}\n\n", machine.version, machine.compiler, machine.cpu);
+  std::string text = fmt::format("wuerfel {} (commit {}), {}, {}\n\n", machine.version,
+                                 machine.commit, machine.compiler, machine.cpu);
   text += fmt::format("{:<18} {:<34} {:<18} {:>10} {:>9} {:>9} {:>9} {:>9} {:>8}  {}\n", "scene",
                       "method", "", "CPU time", "state err", "event / s", "overlap/m", "drift / J",
                       "steps", "status");

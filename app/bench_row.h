@@ -30,11 +30,12 @@ struct BenchRow {
   std::string status = "ok";  ///< or what went wrong, in words
 };
 
-/// What the figures depend on besides the program.
+/// What the figures depend on: machine, compiler and program.
 struct BenchMachine {
   std::string cpu;
   std::string compiler;
   std::string version;
+  std::string commit;  ///< see commit.h
 };
 
 /// The machine this runs on.

@@ -47,6 +47,7 @@ class Bench(ProgramTest):
     def test_every_row_tells_where_it_comes_from(self):
         row = self.rows("--scenes", "flight", "--methods", "auto")[0]
         self.assertTrue(row["machine"] and row["compiler"] and row["version"])
+        self.assertRegex(row["commit"], r"^([0-9a-f]{12}\+?|unknown)$")
         self.assertEqual((row["engine"], row["bodies"], row["simulated_s"]), ("wuerfel", "1", "1"))
 
     def test_plots_are_pictures(self):
