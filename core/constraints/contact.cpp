@@ -52,6 +52,10 @@ Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane
   return c;
 }
 
+/// The other side of a flush pair separates it less well by at most this many times what counts as
+/// touching.
+constexpr double flush_times = 20.0;
+
 /// A side that may be the one that separates the pair.
 struct Candidate {
   int from = 0;  ///< body of the side
@@ -92,32 +96,56 @@ int facing_side(const Box& b, const Vec2& n) {
   return best;
 }
 
-/// Edge on edge: the two ends of the overlap of side e of `from` and side f of `on`; none where it
-/// has no length. Each end is a corner of one body on the side of the other.
-bool add_face(const Candidate& s,
-              const Box& a,
-              const Box& b,
-              double tolerance,
-              std::vector<Contact>& contacts) {
-  const int f = facing_side(b, a.normal(s.side));
+/// Both ends of the overlap of two sides that face each other.
+struct FaceEnds {
+  Contact low;
+  Contact high;
+  double length = 0.0;  ///< m, of the overlap
+};
+
+/// Side e of `from` and side f of `on`. Each end is a corner of one body on the side of the other.
+FaceEnds face_ends(const Candidate& s, const Box& a, const Box& b, int f) {
   const Vec2 origin = a.corner(next_corner(s.side));
   const Vec2 t = (a.corner(s.side) - origin) / a.length(s.side);
   // Along t: side e covers [0, length]; side f, with opposite sense, from its corner f to corner f
   // + 1.
   const double f_low = t.dot(b.corner(f) - origin);
   const double f_high = t.dot(b.corner(next_corner(f)) - origin);
-  const double low = std::max(0.0, f_low);
-  const double high = std::min(a.length(s.side), f_high);
-  if (high - low <= tolerance) return false;
-  contacts.push_back(f_low >= 0.0 ? corner_on_side(s.on, b, f, s.from, a, s.side)
-                                  : corner_on_side(s.from, a, next_corner(s.side), s.on, b, f));
-  contacts.push_back(f_high <= a.length(s.side)
-                         ? corner_on_side(s.on, b, next_corner(f), s.from, a, s.side)
-                         : corner_on_side(s.from, a, s.side, s.on, b, f));
+  FaceEnds ends;
+  ends.length = std::min(a.length(s.side), f_high) - std::max(0.0, f_low);
+  ends.low = f_low >= 0.0 ? corner_on_side(s.on, b, f, s.from, a, s.side)
+                          : corner_on_side(s.from, a, next_corner(s.side), s.on, b, f);
+  ends.high = f_high <= a.length(s.side)
+                  ? corner_on_side(s.on, b, next_corner(f), s.from, a, s.side)
+                  : corner_on_side(s.from, a, s.side, s.on, b, f);
+  return ends;
+}
+
+/// Whether two sides lie on each other: both corners of one on the line of the other, whichever of
+/// them separates the pair better.
+bool is_flush(
+    const Candidate& s, const Box& a, const Box& b, const Incident& on_s, double tolerance) {
+  if (on_s.count >= 2) return true;
+  const int f = facing_side(b, a.normal(s.side));
+  return side_separation(b, f, a) >= s.separation - flush_times * tolerance
+         && incident_corners(b, f, a, tolerance).count >= 2;
+}
+
+/// Edge on edge: the two ends of the overlap; none where it has no length.
+bool add_face(const Candidate& s,
+              const Box& a,
+              const Box& b,
+              double tolerance,
+              std::vector<Contact>& contacts) {
+  const FaceEnds ends = face_ends(s, a, b, facing_side(b, a.normal(s.side)));
+  if (ends.length <= tolerance) return false;
+  contacts.push_back(ends.low);
+  contacts.push_back(ends.high);
   return true;
 }
 
-/// Sides within tolerance of the largest separation.
+/// Sides that separate a pair: those within tolerance of the largest separation, and of a pair that
+/// touches all that touch.
 struct Candidates {
   std::array<Candidate, 8> list;
   int count = 0;
@@ -138,8 +166,9 @@ Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tol
     found.largest = std::max(found.largest, c.separation);
   }
   if (found.largest > tolerance) return found;
+  const double least = std::min(found.largest, 0.0) - tolerance;
   for (const Candidate& c : all) {
-    if (c.separation >= found.largest - tolerance) {
+    if (c.separation >= least) {
       found.list[static_cast<std::size_t>(found.count++)] = c;
     }
   }
@@ -153,6 +182,20 @@ Contact deepest_corner(const Candidate& s, const Box& a, const Box& b, const Inc
     const Contact c =
         corner_on_side(s.on, b, incident.corner[static_cast<std::size_t>(m)], s.from, a, s.side);
     if (c.gap < best.gap) best = c;
+  }
+  return best;
+}
+
+/// The incident corner that is nearest to the middle of the side.
+Contact nearest_to_middle(const Candidate& s,
+                          const Box& a,
+                          const Box& b,
+                          const Incident& incident) {
+  Contact best = corner_on_side(s.on, b, incident.corner[0], s.from, a, s.side);
+  for (int m = 1; m < incident.count; ++m) {
+    const Contact c =
+        corner_on_side(s.on, b, incident.corner[static_cast<std::size_t>(m)], s.from, a, s.side);
+    if (std::abs(c.alpha - 0.5) < std::abs(best.alpha - 0.5)) best = c;
   }
   return best;
 }
@@ -174,14 +217,14 @@ double add_pair(const System& system,
     const Box& a = boxes[static_cast<std::size_t>(s.from)];
     const Box& b = boxes[static_cast<std::size_t>(s.on)];
     const Incident incident = incident_corners(a, s.side, b, tolerance);
-    if (incident.count >= 2) {
+    if (is_flush(s, a, b, incident, tolerance)) {
       flush = true;
       if (add_face(s, a, b, tolerance, contacts)) return sides.largest;
     }
     if (incident.count == 0) continue;
-    // Corner on corner without parallel sides: of all sides that separate, the one that opens
-    // fastest.
-    const Contact c = deepest_corner(s, a, b, incident);
+    // Corner on corner: of all sides that separate, the one that opens fastest.
+    const Contact c = incident.count >= 2 ? nearest_to_middle(s, a, b, incident)
+                                          : deepest_corner(s, a, b, incident);
     const double rate = gap_rate(c, contact_velocity(system, state, c));
     if (!found || rate > fastest) {
       corner = c;
@@ -189,7 +232,9 @@ double add_pair(const System& system,
       found = true;
     }
   }
-  if (found && !flush) contacts.push_back(corner);
+  // Aligned corners of a grid need no contact unless they go into each other.
+  if (found && (!flush || contact_motion(system, state, corner) == ContactMotion::closing))
+    contacts.push_back(corner);
   return sides.largest;
 }
 
