@@ -154,11 +154,25 @@ void EventMotion::fall(double limit, std::deque<MotionPiece>& pieces, Bookkeepin
     range_[i] = {accelerations_[i], accelerations_[i]};
   const auto crossing = search_.first({&dense_, h, &range_});
   note_given_up(book);
-  const double share = crossing ? crossing->share : 1.0;
   next_ = state_;
-  look_at(dense_, share, next_);
+  const double elapsed = crossing ? fall_to(*crossing, h) : h;
+  if (!crossing) look_at(dense_, 1.0, next_);
   pieces.push_back({MotionPiece::Kind::smooth, clock_, h, state_, dense_, {}});
-  finish(crossing || h < limit - clock_ ? share * h : limit - clock_, crossing.has_value(), book);
+  finish(elapsed, crossing.has_value(), book);
+}
+
+/// Falls to where a watched function vanishes: Newton's method on the parabola.
+double EventMotion::fall_to(const Crossing& crossing, double h) {
+  double length = crossing.share * h;
+  for (int k = 0; k < most_corrections; ++k) {
+    look_at(dense_, length / h, next_);
+    const Reading reading = search_.read(next_, crossing.watch);
+    const double correction = -reading.value / reading.rate;
+    if (std::abs(correction) <= located_share * scales_.time) break;
+    if (!(std::abs(correction) <= found_share * h) || length + correction <= 0.0) break;
+    length += correction;
+  }
+  return length;
 }
 
 void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {

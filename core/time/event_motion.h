@@ -47,6 +47,7 @@ class EventMotion final : private VectorField {
   void begin_phase(const ContactLimits& limits, Bookkeeping& book);
   [[nodiscard]] double hold_at(const State& state);
   void fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
+  double fall_to(const Crossing& crossing, double h);
   void integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   void note_given_up(Bookkeeping& book);
   double controlled_step(double h, Bookkeeping& book);
