@@ -14,7 +14,7 @@ namespace {
 constexpr double zero_share = 1e-10;
 constexpr double armed_times = 3.0;
 
-/// Bounds of second derivatives, taken from the stages of a step, with this much in reserve.
+/// Accelerations, taken from the stages of a step, have this much in reserve.
 constexpr double reserve = 1.5;
 
 /// Shares of a step closer than this are one moment.
@@ -27,6 +27,11 @@ constexpr int most_intervals = 4000;
 constexpr int plane_side = 2;
 
 double larger(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
+
+/// A reading with its shift, in units of a step of `length` s.
+Reading scaled(const Reading& r, double shift, double length) {
+  return {r.value + shift, r.rate * length, r.bend * length * length};
+}
 
 }  // namespace
 
@@ -58,16 +63,91 @@ MovingBox EventSearch::body_of(const State& state, int body) const {
     return fixed;
   }
   const BodyState& s = state[static_cast<std::size_t>(body)];
-  return {make_box(s.position, s.angle, b.size), s.velocity, s.spin};
+  return {make_box(s.position, s.angle, b.size), s.velocity, s.spin, {}};
 }
 
 MovingBox EventSearch::body_at(const WatchedStep& step, int body, double share) const {
   if (!system_->is_cube(body)) return body_of({}, body);
   const std::size_t at = components * static_cast<std::size_t>(body);
   const auto value = [&](std::size_t k) { return step.motion->component(share, at + k); };
+  const auto rate = [&](std::size_t k) { return step.motion->slope(share, at + k) / step.length; };
   return {make_box({value(0), value(1)}, value(2), system_->body(body).size),
           {value(3), value(4)},
-          value(5)};
+          value(5),
+          {Vec2(rate(3), rate(4)), rate(5)}};
+}
+
+/// Where all bodies are at the ends of a step.
+void EventSearch::find_ends(const WatchedStep& step) {
+  begin_.clear();
+  end_.clear();
+  for (int i = 0; i < system_->count(); ++i) {
+    begin_.push_back(body_at(step, i, 0.0));
+    end_.push_back(system_->is_cube(i) ? body_at(step, i, 1.0) : begin_.back());
+  }
+}
+
+Look EventSearch::look_at(const WatchedStep& step, const Watch& watch, double share) const {
+  const auto at = [&](int body) {
+    const auto i = static_cast<std::size_t>(body);
+    return share == 0.0 || !system_->is_cube(body) ? begin_[i]
+           : share == 1.0                          ? end_[i]
+                                                   : body_at(step, body, share);
+  };
+  if (watch.kind == Watch::Kind::separation)
+    return look_at_separation(at(watch.from), at(watch.on), share);
+  Look look;
+  look.share = share;
+  look.on = at(watch.on);
+  look.from = at(watch.from);
+  look.reading = read_corner(look.on, watch.corner, look.from, watch.side, watch.kind);
+  return look;
+}
+
+/// Bounds between two looks, in units of the step, for sides of `from`; `swapped`: of `on`.
+GapBounds EventSearch::bounds_of(
+    const WatchedStep& step, const Watch& watch, const Look& a, const Look& b, bool swapped) const {
+  const auto travel = [&](int body, const MovingBox& begin, const MovingBox& end) {
+    const bool still = is_still(body);
+    return Travel{&begin, &end,
+                  still ? TwistRange{} : (*step.range)[static_cast<std::size_t>(body)], still};
+  };
+  const Travel on = travel(watch.on, a.on, b.on);
+  const Travel from = travel(watch.from, a.from, b.from);
+  const double h = step.length;
+  const double part = (b.share - a.share) * h;
+  GapBounds bounds = swapped ? bounds_of_gap(from, on, part, h) : bounds_of_gap(on, from, part, h);
+  bounds.bend *= h * h;
+  bounds.jerk *= h * h * h;
+  return bounds;
+}
+
+/// Whether the side `pair_side` keeps all corners of the other body outside between two looks.
+bool EventSearch::side_stays_clear(const WatchedStep& step,
+                                   const Watch& watch,
+                                   const Look& a,
+                                   const Look& b,
+                                   int pair_side,
+                                   double shift) const {
+  const GapBounds bounds = bounds_of(step, watch, a, b, pair_side >= 4);
+  for (int k = 0; k < 4; ++k) {
+    const Reading from = scaled(read_pair_side(a, pair_side, k), shift, step.length);
+    const Reading to = scaled(read_pair_side(b, pair_side, k), shift, step.length);
+    if (!no_zero_between(from, to, b.share - a.share, bounds)) return false;
+  }
+  return true;
+}
+
+bool EventSearch::stays_positive(
+    const WatchedStep& step, const Watch& watch, const Look& a, const Look& b, double shift) const {
+  if (watch.kind == Watch::Kind::separation) {
+    return side_stays_clear(step, watch, a, b, a.pair_side, shift)
+           || (b.pair_side != a.pair_side
+               && side_stays_clear(step, watch, a, b, b.pair_side, shift));
+  }
+  return no_zero_between(scaled(a.reading, shift, step.length),
+                         scaled(b.reading, shift, step.length), b.share - a.share,
+                         bounds_of(step, watch, a, b, false));
 }
 
 Reading EventSearch::read(const State& state, const Watch& watch) const {
@@ -196,93 +276,19 @@ void EventSearch::find_candidates(const WatchedStep& step) {
   }
 }
 
-double EventSearch::curvature(const WatchedStep& step, const Watch& watch) const {
-  struct Bound {
-    Vec2 position_0 = Vec2::Zero(), position_1 = Vec2::Zero();
-    Vec2 velocity_0 = Vec2::Zero(), velocity_1 = Vec2::Zero();
-    TwistRange range;
-    double spin = 0.0, turn = 0.0, radius = 0.0;
-  };
-  const auto bound = [&](int body) {
-    Bound b;
-    const Body& of = system_->body(body);
-    if (!system_->is_cube(body)) {
-      b.position_0 = b.position_1 = of.kind == BodyKind::plane ? of.point : of.box.center;
-      return b;
-    }
-    const std::size_t at = components * static_cast<std::size_t>(body);
-    const auto value = [&](double share, std::size_t k) {
-      return step.motion->component(share, at + k);
-    };
-    b.position_0 = {value(0.0, 0), value(0.0, 1)};
-    b.position_1 = {value(1.0, 0), value(1.0, 1)};
-    b.velocity_0 = {value(0.0, 3), value(0.0, 4)};
-    b.velocity_1 = {value(1.0, 3), value(1.0, 4)};
-    b.range = (*step.range)[static_cast<std::size_t>(body)];
-    b.turn = larger(b.range.low.angular, b.range.high.angular);
-    b.spin = larger(value(0.0, 5), value(1.0, 5)) + 0.5 * step.length * b.turn;
-    b.radius = 0.5 * of.size.norm();
-    return b;
-  };
-  const Bound p = bound(watch.on);
-  const Bound q = bound(watch.from);
-  const Vec2 a(larger(p.range.high.linear.x() - q.range.low.linear.x(),
-                      q.range.high.linear.x() - p.range.low.linear.x()),
-               larger(p.range.high.linear.y() - q.range.low.linear.y(),
-                      q.range.high.linear.y() - p.range.low.linear.y()));
-  const double spin = std::max(p.spin, q.spin);
-  const double turn = std::max(p.turn, q.turn);
-  const double radius = std::max(p.radius, q.radius);
-  const double speed =
-      std::max((p.velocity_0 - q.velocity_0).norm(), (p.velocity_1 - q.velocity_1).norm())
-      + 0.5 * step.length * a.norm();
-  // Between a plane and a cube only the cube turns: its distance from the plane's point is not
-  // felt.
-  const bool turning_frame = watch.kind == Watch::Kind::separation || system_->is_cube(watch.from);
-  const double distance = turning_frame ? std::max((p.position_0 - q.position_0).norm(),
-                                                   (p.position_1 - q.position_1).norm())
-                                              + 0.5 * step.length * speed + radius
-                                        : 0.0;
-  const double centers = a.norm() + (turn + spin * spin) * radius;
-  return reserve
-         * (centers + 2.0 * spin * (speed + spin * radius) * (turning_frame ? 1.0 : 0.0)
-            + (spin * spin + turn) * distance);
-}
-
 void EventSearch::search(const WatchedStep& step, Watch& watch, std::optional<Crossing>& first) {
-  const bool pair = watch.kind == Watch::Kind::separation;
   const double length = step.length;
-  const double curve = std::max(curvature(step, watch) * length * length, 1e-300);
   const double armed = armed_times * zero(watch);
-  const auto look_at = [&](double share) {
-    const MovingBox on = body_at(step, watch.on, share);
-    const MovingBox from = body_at(step, watch.from, share);
-    if (pair) return look_at_separation(from, on, share);
-    Look look;
-    look.share = share;
-    look.reading = read_corner(on, watch.corner, from, watch.side, watch.kind);
-    return look;
-  };
   double shift = watch.shift;
-  const auto scaled = [&](const Look& look) {
-    return Reading{look.reading.value + shift, look.reading.rate * length};
-  };
-  const auto clear = [&](const Look& a, const Look& b) {
-    const double width = b.share - a.share;
-    if (!pair) return no_zero_between(scaled(a), scaled(b), width, curve);
-    return side_stays_clear(a, b, a.pair_side, shift, length, curve)
-           || (b.pair_side != a.pair_side
-               && side_stays_clear(a, b, b.pair_side, shift, length, curve));
-  };
   std::vector<std::pair<Look, Look>> open;
-  open.emplace_back(look_at(0.0), look_at(first ? first->share : 1.0));
+  open.emplace_back(look_at(step, watch, 0.0), look_at(step, watch, first ? first->share : 1.0));
   for (int count = 0; !open.empty(); ++count) {
     const auto [a, b] = open.back();
     open.pop_back();
     if (a.reading.value > armed) shift = 0.0;
     const double width = b.share - a.share;
     const bool crossed = b.reading.value + shift <= 0.0;
-    if (!crossed && clear(a, b)) continue;
+    if (!crossed && stays_positive(step, watch, a, b, shift)) continue;
     if (crossed && width <= found_share) {
       first = Crossing{b.share, watch};
       first->watch.shift = shift;
@@ -300,17 +306,18 @@ void EventSearch::search(const WatchedStep& step, Watch& watch, std::optional<Cr
     // Where the function only falls, Newton's steps from the far end close the bracket; bisection
     // goes on wherever they do not help.
     double at = 0.5 * (a.share + b.share);
-    const Reading low = scaled(a);
-    const Reading high = scaled(b);
+    const Reading low = scaled(a.reading, shift, length);
+    const Reading high = scaled(b.reading, shift, length);
     const bool falls = crossed && low.rate < 0.0 && high.rate < 0.0
-                       && std::min(-low.rate, -high.rate) > curve * width;
+                       && std::min(-low.rate, -high.rate)
+                              > bounds_of(step, watch, a, b, a.pair_side >= 4).bend * width;
     if (falls && count % 4 != 3) {
       const double newton =
           count % 2 == 0 ? b.share - high.value / high.rate : a.share - low.value / low.rate;
       const double beside = newton + (count % 2 == 0 ? -0.25 : 0.25) * found_share;
       if (beside > a.share && beside < b.share) at = beside;
     }
-    const Look middle = look_at(at);
+    const Look middle = look_at(step, watch, at);
     const bool left = middle.reading.value + shift <= 0.0;
     if (!left) open.emplace_back(middle, b);
     if (left || !falls) open.emplace_back(a, middle);
@@ -320,6 +327,7 @@ void EventSearch::search(const WatchedStep& step, Watch& watch, std::optional<Cr
 
 std::optional<Crossing> EventSearch::first(const WatchedStep& step) {
   std::optional<Crossing> found;
+  find_ends(step);
   for (const Watch& watch : watches_) {
     Watch copy = watch;
     search(step, copy, found);

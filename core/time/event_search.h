@@ -5,20 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "core/time/gap_bounds.h"
 #include "core/time/motion_piece.h"
-#include "core/time/watch.h"
 
 namespace wuerfel {
 
 struct Crossing {
   double share = 1.0;  ///< of the step
   Watch watch;
-};
-
-/// Range of a cube's accelerations within a step.
-struct TwistRange {
-  Twist low;
-  Twist high;
 };
 
 /// A step as the search sees it.
@@ -57,7 +51,24 @@ class EventSearch {
   [[nodiscard]] bool is_still(int body) const;
   [[nodiscard]] MovingBox body_at(const WatchedStep& step, int body, double share) const;
   [[nodiscard]] MovingBox body_of(const State& state, int body) const;
-  [[nodiscard]] double curvature(const WatchedStep& step, const Watch& watch) const;
+  void find_ends(const WatchedStep& step);
+  [[nodiscard]] Look look_at(const WatchedStep& step, const Watch& watch, double share) const;
+  [[nodiscard]] GapBounds bounds_of(const WatchedStep& step,
+                                    const Watch& watch,
+                                    const Look& a,
+                                    const Look& b,
+                                    bool swapped) const;
+  [[nodiscard]] bool stays_positive(const WatchedStep& step,
+                                    const Watch& watch,
+                                    const Look& a,
+                                    const Look& b,
+                                    double shift) const;
+  [[nodiscard]] bool side_stays_clear(const WatchedStep& step,
+                                      const Watch& watch,
+                                      const Look& a,
+                                      const Look& b,
+                                      int pair_side,
+                                      double shift) const;
   [[nodiscard]] double zero(const Watch& watch) const;
   void search(const WatchedStep& step, Watch& watch, std::optional<Crossing>& first);
 
@@ -67,6 +78,8 @@ class EventSearch {
   std::vector<Watch> unarmed_;           ///< separations that start at zero
   std::vector<IndexPair> closed_pairs_;  ///< sorted
   std::vector<Watch> candidates_;        ///< separations of this step
+  std::vector<MovingBox> begin_;         ///< of this step, one per body
+  std::vector<MovingBox> end_;
   std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
   double rounding_ = 0.0;  ///< m, what rounding of the positions leaves of gaps
