@@ -29,6 +29,9 @@ constexpr int most_instant_events = 60;
 constexpr double opening_share = 1e-8;
 /// Corrections of an event's time end at this share of L / V.
 constexpr double located_share = 1e-15;
+/// Below this share of L / V a correction is made by accelerations; what they change by meanwhile
+/// is rounding.
+constexpr double moved_share = 1e-8;
 constexpr int most_corrections = 4;
 /// Samples of forces within a step whose stages saw one vanish.
 constexpr int force_samples = 8;
@@ -277,7 +280,10 @@ double EventMotion::reach_crossing(const Crossing& crossing, double h) {
     const Reading reading = search_.read(next_, crossing.watch);
     if (reading.rate == 0.0) break;
     const double correction = -reading.value / reading.rate;
-    if (std::abs(correction) <= located_share * scales_.time) break;
+    if (std::abs(correction) <= moved_share * scales_.time && length + correction > 0.0) {
+      next_ = moved(next_, correction);
+      return length + correction;
+    }
     if (std::abs(correction) > 0.01 * h || length + correction <= 0.0) break;
     length += correction;
   }
@@ -291,23 +297,29 @@ double EventMotion::reach_release(double length) {
     if (closed_.redundant()) break;
     const double force = hold_at(next_);
     const double ahead = 1e-6 * scales_.time;
-    State later = next_;
-    for (std::size_t i = 0; i < later.size(); ++i) {
-      const std::size_t at = components * i;
-      const double* r = next_rate_.data() + at;
-      later[i].position += ahead * Vec2(r[0], r[1]) + 0.5 * ahead * ahead * Vec2(r[3], r[4]);
-      later[i].angle += ahead * r[2] + 0.5 * ahead * ahead * r[5];
-      later[i].velocity += ahead * Vec2(r[3], r[4]);
-      later[i].spin += ahead * r[5];
-    }
-    const double rate = (hold_at(later) - force) / ahead;
+    const double rate = (hold_at(moved(next_, ahead)) - force) / ahead;
     if (rate >= 0.0) break;
     const double correction = -force / rate;
-    if (std::abs(correction) <= 1e-13 * scales_.time) break;
+    if (std::abs(correction) <= moved_share * scales_.time && length + correction > 0.0) {
+      next_ = moved(next_, correction);
+      return length + correction;
+    }
     if (std::abs(correction) > 0.01 * length_ || length + correction <= 0.0) break;
     length += correction;
   }
   return length_;
+}
+
+/// The state at the end of the step, a moment later, by its rates.
+State EventMotion::moved(State state, double time) const {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double* r = next_rate_.data() + components * i;
+    state[i].position += time * Vec2(r[0], r[1]) + 0.5 * time * time * Vec2(r[3], r[4]);
+    state[i].angle += time * r[2] + 0.5 * time * time * r[5];
+    state[i].velocity += time * Vec2(r[3], r[4]);
+    state[i].spin += time * r[5];
+  }
+  return state;
 }
 
 double EventMotion::hold_at(const State& state) {

@@ -55,6 +55,7 @@ class EventMotion final : private VectorField {
   void restep(double length);
   double reach_crossing(const Crossing& crossing, double h);
   double reach_release(double length);
+  [[nodiscard]] State moved(State state, double time) const;
   [[nodiscard]] std::optional<double> first_release(double until);
   [[nodiscard]] std::optional<double> first_opening(double until, Bookkeeping& book);
   void add_piece(std::deque<MotionPiece>& pieces) const;
