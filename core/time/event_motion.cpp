@@ -25,20 +25,14 @@ constexpr double shortest_step = 1e-11;
 constexpr double forced_time = 1e-9;
 constexpr double instant_share = 1e-13;
 constexpr int most_instant_events = 60;
-/// A gap's acceleration beyond this share of g is an opening.
-constexpr double opening_share = 1e-8;
 /// Corrections of an event's time end at this share of L / V.
 constexpr double located_share = 1e-15;
 /// Below this share of L / V a correction is made by accelerations; what they change by meanwhile
 /// is rounding.
 constexpr double moved_share = 1e-8;
 constexpr int most_corrections = 4;
-/// Samples of forces within a step whose stages saw one vanish.
-constexpr int force_samples = 8;
-/// Brackets of forces within a step, and of openings, which change accelerations continuously.
+/// The bracket that the search leaves of an event in a step.
 constexpr double found_share = 1e-13;
-constexpr int most_bisections = 100;
-constexpr double opening_width = 1e-10;
 
 /// x^(-1/8), from square roots.
 double eighth_root_inverse(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
@@ -52,7 +46,7 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       closed_(system),
       looker_(system),
       search_(system),
-      opening_(system, settings),
+      releases_(system, settings),
       holds_(system),
       next_holds_(system) {}
 
@@ -195,7 +189,9 @@ void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookk
   const double until = crossing ? crossing->share : 1.0;
   std::optional<double> release;
   if (pull_ < 0.0) {
-    release = closed_.redundant() ? first_opening(until, book) : first_release(until);
+    release = closed_.redundant()
+                  ? releases_.first_opening(dense_, until, next_, scales_.gravity, closed_, book)
+                  : releases_.first_release(dense_, until, next_, holds_, closed_);
   }
   if (!crossing && !release) {
     add_piece(pieces);
@@ -295,9 +291,9 @@ double EventMotion::reach_release(double length) {
   for (int k = 0; k < most_corrections; ++k) {
     restep(length);
     if (closed_.redundant()) break;
-    const double force = hold_at(next_);
+    const double force = releases_.hold_at(next_, holds_, closed_);
     const double ahead = 1e-6 * scales_.time;
-    const double rate = (hold_at(moved(next_, ahead)) - force) / ahead;
+    const double rate = (releases_.hold_at(moved(next_, ahead), holds_, closed_) - force) / ahead;
     if (rate >= 0.0) break;
     const double correction = -force / rate;
     if (std::abs(correction) <= moved_share * scales_.time && length + correction > 0.0) {
@@ -320,64 +316,6 @@ State EventMotion::moved(State state, double time) const {
     state[i].spin += time * r[5];
   }
   return state;
-}
-
-double EventMotion::hold_at(const State& state) {
-  closed_.accelerate(state, accelerations_);
-  return holds_.smallest(closed_);
-}
-
-/// Share of the step at which the first force vanishes.
-std::optional<double> EventMotion::first_release(double until) {
-  State state = state_;
-  const auto force_at = [&](double share) {
-    look_at(dense_, share, state);
-    return hold_at(state);
-  };
-  double low = 0.0;
-  double high = 0.0;
-  double at_low = force_at(0.0);
-  double at_high = at_low;
-  if (at_low <= 0.0) return 0.0;
-  for (int k = 1; k <= force_samples; ++k) {
-    high = until * k / force_samples;
-    at_high = force_at(high);
-    if (at_high < 0.0) break;
-    low = high;
-    at_low = at_high;
-  }
-  if (at_high >= 0.0) {
-    // The polynomial may miss by rounding what the state at the end shows.
-    if (until == 1.0 && hold_at(next_) < 0.0) return 1.0;
-    return {};
-  }
-  // False position with the bracket halved where that is slow.
-  for (int k = 0; high - low > found_share && k < most_bisections; ++k) {
-    double at = low + (high - low) * (k % 3 == 2 ? 0.5 : at_low / (at_low - at_high));
-    at = std::clamp(at, low + 0.1 * found_share, high - 0.1 * found_share);
-    const double force = force_at(at);
-    (force < 0.0 ? high : low) = at;
-    (force < 0.0 ? at_high : at_low) = force;
-  }
-  return high;
-}
-
-/// Share of the step from which on redundant contacts open. Negative forces alone are no reason:
-/// other forces may do the same. The program with inequalities decides.
-std::optional<double> EventMotion::first_opening(double until, Bookkeeping& book) {
-  State state = state_;
-  const auto opens_at = [&](double share) {
-    look_at(dense_, share, state);
-    return opening_.opens(state, closed_, opening_share * scales_.gravity, book);
-  };
-  if (!opens_at(until)) return {};
-  double low = 0.0;
-  double high = until;
-  while (high - low > opening_width) {
-    const double at = 0.5 * (low + high);
-    (opens_at(at) ? high : low) = at;
-  }
-  return high;
 }
 
 void EventMotion::add_piece(std::deque<MotionPiece>& pieces) const {
