@@ -32,11 +32,12 @@ struct Audit {
   double max_rod_error = 0.0;     ///< largest relative change of a rod's length
   double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
   long missed_solves = 0;         ///< programs whose residual missed the tolerance
-  long unresolved =
-      0;  ///< times at which events had to be passed over or the error control gave up
-  long searches_given_up = 0;  ///< event searches that left a gap near zero unproved; overlap is
-                               ///< measured afterwards
-  long wedged = 0;             ///< programs without any solution: cubes wedged by their turning
+  long unresolved = 0;            ///< times at which events had to be passed over
+  long searches_given_up = 0;     ///< event searches that left a gap near zero unproved; overlap is
+                                  ///< measured afterwards
+  /// Programs without any solution, and accelerations that no step can follow: cubes wedged by
+  /// their turning.
+  long wedged = 0;
   double drift_budget = 0.0;   ///< J, what the tolerance promises of |drift()|; 0 where it promises
                                ///< nothing (stepping)
   double energy_start = 0.0;   ///< J

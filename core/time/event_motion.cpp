@@ -219,7 +219,9 @@ double EventMotion::controlled_step(double h, Bookkeeping& book) {
     error = method_.error(scale_);
     if (error <= 1.0) break;
     if (h <= shortest_step * scales_.time) {
-      ++book.audit.unresolved;
+      // Rows that nearly depend on one another: accelerations are no smooth function any more.
+      ++book.audit.wedged;
+      closure_.wedged = true;
       break;
     }
     rejected = true;
