@@ -1,11 +1,10 @@
 #include "core/constraints/contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/constraints/side.h"
+#include "core/constraints/manifold.h"
 
 namespace wuerfel {
 namespace {
@@ -13,25 +12,6 @@ namespace {
 double smaller_side(const System& system, int i) {
   const Body& body = system.body(i);
   return body.kind == BodyKind::plane ? std::numeric_limits<double>::max() : body.size.minCoeff();
-}
-
-/// The contact of corner k of box `on` with side e of box `from`.
-Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int e) {
-  Contact c;
-  c.on = on;
-  c.from = from;
-  c.corner = k;
-  c.side = e;
-  c.normal = a.normal(e);
-  c.length = a.length(e);
-  c.arm_k = b.arm[static_cast<std::size_t>(k)];
-  c.arm_i = a.arm[static_cast<std::size_t>(next_corner(e))];
-  c.arm_j = a.arm[static_cast<std::size_t>(e)];
-  c.point = b.center + c.arm_k;
-  const Vec2 from_center = (b.center - a.center) + c.arm_k;
-  c.gap = c.normal.dot(from_center) - a.reach(e);
-  c.alpha = edge_parameter(c.arm_i, c.arm_j, from_center);
-  return c;
 }
 
 /// The contact of corner k of a box with a plane. The plane has no ends: the side is placed under
@@ -50,147 +30,6 @@ Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane
   c.arm_i = foot + 0.5 * perp(c.normal);
   c.arm_j = foot - 0.5 * perp(c.normal);
   return c;
-}
-
-/// A side that may be the one that separates the pair.
-struct Candidate {
-  int from = 0;  ///< body of the side
-  int on = 0;
-  int side = 0;
-  double separation = 0.0;
-};
-
-/// Corners of `b` that reach down to the line of side e of `a`.
-struct Incident {
-  std::array<int, 4> corner{};
-  int count = 0;
-};
-
-Incident incident_corners(const Box& a, int e, const Box& b, double tolerance) {
-  Incident incident;
-  const Vec2 n = a.normal(e);
-  const double offset = n.dot(b.center - a.center) - a.reach(e);
-  for (int k = 0; k < 4; ++k) {
-    if (offset + n.dot(b.arm[static_cast<std::size_t>(k)]) <= tolerance) {
-      incident.corner[static_cast<std::size_t>(incident.count++)] = k;
-    }
-  }
-  return incident;
-}
-
-/// The side of `b` that faces the normal n: the one with the most opposite normal.
-int facing_side(const Box& b, const Vec2& n) {
-  int best = 0;
-  double least = 2.0;
-  for (int f = 0; f < 4; ++f) {
-    const double along = b.normal(f).dot(n);
-    if (along < least) {
-      least = along;
-      best = f;
-    }
-  }
-  return best;
-}
-
-/// Edge on edge: the two ends of the overlap of side e of `from` and side f of `on`; none where it
-/// has no length. Each end is a corner of one body on the side of the other.
-bool add_face(const Candidate& s,
-              const Box& a,
-              const Box& b,
-              double tolerance,
-              std::vector<Contact>& contacts) {
-  const int f = facing_side(b, a.normal(s.side));
-  const Vec2 origin = a.corner(next_corner(s.side));
-  const Vec2 t = (a.corner(s.side) - origin) / a.length(s.side);
-  // Along t: side e covers [0, length]; side f, with opposite sense, from its corner f to corner f
-  // + 1.
-  const double f_low = t.dot(b.corner(f) - origin);
-  const double f_high = t.dot(b.corner(next_corner(f)) - origin);
-  const double low = std::max(0.0, f_low);
-  const double high = std::min(a.length(s.side), f_high);
-  if (high - low <= tolerance) return false;
-  contacts.push_back(f_low >= 0.0 ? corner_on_side(s.on, b, f, s.from, a, s.side)
-                                  : corner_on_side(s.from, a, next_corner(s.side), s.on, b, f));
-  contacts.push_back(f_high <= a.length(s.side)
-                         ? corner_on_side(s.on, b, next_corner(f), s.from, a, s.side)
-                         : corner_on_side(s.from, a, s.side, s.on, b, f));
-  return true;
-}
-
-/// Sides within tolerance of the largest separation.
-struct Candidates {
-  std::array<Candidate, 8> list;
-  int count = 0;
-  double largest = 0.0;
-};
-
-Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tolerance) {
-  Candidates found;
-  std::array<Candidate, 8> all;
-  const Box& a = boxes[static_cast<std::size_t>(i)];
-  const Box& b = boxes[static_cast<std::size_t>(j)];
-  for (int e = 0; e < 4; ++e) {
-    all[static_cast<std::size_t>(e)] = {i, j, e, side_separation(a, e, b)};
-    all[static_cast<std::size_t>(e + 4)] = {j, i, e, side_separation(b, e, a)};
-  }
-  found.largest = all[0].separation;
-  for (const Candidate& c : all) {
-    found.largest = std::max(found.largest, c.separation);
-  }
-  if (found.largest > tolerance) return found;
-  for (const Candidate& c : all) {
-    if (c.separation >= found.largest - tolerance) {
-      found.list[static_cast<std::size_t>(found.count++)] = c;
-    }
-  }
-  return found;
-}
-
-/// The deepest of the incident corners.
-Contact deepest_corner(const Candidate& s, const Box& a, const Box& b, const Incident& incident) {
-  Contact best = corner_on_side(s.on, b, incident.corner[0], s.from, a, s.side);
-  for (int m = 1; m < incident.count; ++m) {
-    const Contact c =
-        corner_on_side(s.on, b, incident.corner[static_cast<std::size_t>(m)], s.from, a, s.side);
-    if (c.gap < best.gap) best = c;
-  }
-  return best;
-}
-
-/// Contacts of a pair of boxes; returns the separation.
-double add_pair(const System& system,
-                const State& state,
-                std::span<const Box> boxes,
-                IndexPair pair,
-                double tolerance,
-                std::vector<Contact>& contacts) {
-  const Candidates sides = separating_sides(boxes, pair.first, pair.second, tolerance);
-  bool flush = false;
-  Contact corner;
-  double fastest = 0.0;
-  bool found = false;
-  for (int m = 0; m < sides.count; ++m) {
-    const Candidate& s = sides.list[static_cast<std::size_t>(m)];
-    const Box& a = boxes[static_cast<std::size_t>(s.from)];
-    const Box& b = boxes[static_cast<std::size_t>(s.on)];
-    const Incident incident = incident_corners(a, s.side, b, tolerance);
-    if (incident.count >= 2) {
-      flush = true;
-      if (add_face(s, a, b, tolerance, contacts)) return sides.largest;
-    }
-    if (incident.count == 0) continue;
-    // Corner on corner without parallel sides: of all sides that separate, the one that opens
-    // fastest.
-    const Contact c = deepest_corner(s, a, b, incident);
-    const double rate = gap_rate(c, contact_velocity(system, state, c));
-    if (!found || rate > fastest) {
-      corner = c;
-      fastest = rate;
-      found = true;
-    }
-  }
-  if (found && !flush) contacts.push_back(corner);
-  return sides.largest;
 }
 
 void add_plane(int plane_index,
@@ -246,70 +85,6 @@ ContactMotion contact_motion(const System& system, const State& state, const Con
   return rate <= zero ? ContactMotion::resting : ContactMotion::opening;
 }
 
-Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
-  const Candidates sides = separating_sides(boxes, i, j, std::numeric_limits<double>::max());
-  Candidate best = sides.list[0];
-  for (int m = 1; m < sides.count; ++m) {
-    const Candidate& s = sides.list[static_cast<std::size_t>(m)];
-    if (s.separation > best.separation) best = s;
-  }
-  const Box& a = boxes[static_cast<std::size_t>(best.from)];
-  const Box& b = boxes[static_cast<std::size_t>(best.on)];
-  return deepest_corner(best, a, b,
-                        incident_corners(a, best.side, b, std::numeric_limits<double>::max()));
-}
-
-FacingSide separating_side(std::span<const Box> start, std::span<const Box> end, int i, int j) {
-  // What has closed by rounding at the start has not closed yet.
-  const double zero = touching_tolerance
-                      * std::min(start[static_cast<std::size_t>(i)].smaller_side(),
-                                 start[static_cast<std::size_t>(j)].smaller_side());
-  FacingSide best;
-  FacingSide deepest;
-  double latest = -1.0;
-  best.gap = deepest.gap = -std::numeric_limits<double>::infinity();
-  FacingSide meeting;
-  for (int index = 0; index < 8; ++index) {
-    const int from = index < 4 ? i : j;
-    const int on = index < 4 ? j : i;
-    const auto f = static_cast<std::size_t>(from);
-    const auto o = static_cast<std::size_t>(on);
-    const int side = index & 3;
-    const double before = side_separation(start[f], side, start[o]);
-    const double after = side_separation(end[f], side, end[o]);
-    const double both = std::min(before, after);
-    if (both > best.gap) best = {from, on, side, both};
-    if (before > deepest.gap) deepest = {from, on, side, before};
-    if (before < -zero || after >= 0.0) continue;
-    const double open = std::max(before, 0.0);
-    const double when = open / (open - after);
-    if (when > latest) {
-      latest = when;
-      meeting = {from, on, side, after};
-    }
-  }
-  if (best.gap >= 0.0) return best;
-  if (latest >= 0.0) return meeting;
-  return {deepest.from, deepest.on, deepest.side, best.gap};
-}
-
-void add_near_contacts(std::span<const Box> boxes,
-                       const FacingSide& side,
-                       double flush,
-                       std::vector<Contact>& contacts) {
-  const Candidate s{side.from, side.on, side.side, side.gap};
-  const Box& a = boxes[static_cast<std::size_t>(s.from)];
-  const Box& b = boxes[static_cast<std::size_t>(s.on)];
-  const Vec2 n = a.normal(s.side);
-  if (std::abs(det(n, b.normal(facing_side(b, n)))) <= flush) {
-    if (add_face(s, a, b, touching_tolerance * std::min(a.smaller_side(), b.smaller_side()),
-                 contacts))
-      return;
-  }
-  contacts.push_back(
-      deepest_corner(s, a, b, incident_corners(a, s.side, b, std::numeric_limits<double>::max())));
-}
-
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact) {
   const Box& b = boxes[static_cast<std::size_t>(contact.on)];
   const Body& from = system.body(contact.from);
@@ -343,8 +118,9 @@ void ContactFinder::find(const System& system,
     if (!system.is_cube(pair.first)) continue;
     const double scale =
         std::min(smaller_side(system, pair.first), smaller_side(system, pair.second));
-    note(add_pair(system, state, boxes_, pair, tolerance * scale, contacts), scale, pair.first,
-         pair.second);
+    note(add_touching_contacts(system, state, boxes_, pair.first, pair.second, tolerance * scale,
+                               contacts),
+         scale, pair.first, pair.second);
   }
   for (int p = boxes; p < system.count(); ++p) {
     const Body& plane = system.body(p);

@@ -61,32 +61,6 @@ ContactMotion contact_motion(const System& system, const State& state, const Con
 /// Length by which a contact's tolerances are measured: the smaller side of the two bodies, m.
 double contact_scale(const System& system, const Contact& contact);
 
-/// The corner and the side that separate two boxes best: where the gap between them is measured,
-/// touching or not.
-Contact nearest_corner(std::span<const Box> boxes, int i, int j);
-
-/// One of the eight sides of a pair of boxes.
-struct FacingSide {
-  int from = 0;  ///< body of the side
-  int on = 0;    ///< the other one
-  int side = 0;
-  /// m, gap between the bodies along it: the smaller of those at the two ends of a motion, or
-  /// negative where it does not last.
-  double gap = 0.0;
-};
-
-/// The side that keeps a pair apart longest while it moves from `start` to `end`: one that
-/// separates it at both, the more the better; else of those that separate it at the start the one
-/// whose gap closes last, for that is where the bodies meet.
-FacingSide separating_side(std::span<const Box> start, std::span<const Box> end, int i, int j);
-
-/// Corners by which a pair would meet at a side: the nearest corner, or both ends of the overlap
-/// where the facing sides are within `flush` (sine of the angle between them).
-void add_near_contacts(std::span<const Box> boxes,
-                       const FacingSide& side,
-                       double flush,
-                       std::vector<Contact>& contacts);
-
 /// The same corner and side at other poses.
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact);
 

@@ -20,15 +20,32 @@ void ClosedContacts::close(const std::vector<Contact>& contacts, const std::vect
   island_.cubes.erase(doubles.begin(), doubles.end());
   use_.assign(contacts.size(), SideUse::equality);
   resting_ = resting;
+  few_ = contacts.size() <= FewContacts::most;
+  boxes_.resize(static_cast<std::size_t>(system_->count()));
+  for (int i = system_->cubes; i < system_->count(); ++i)
+    boxes_[static_cast<std::size_t>(i)] = system_->body(i).box;
 }
 
 void ClosedContacts::pose(const State& state) {
-  pose_boxes(*system_, state, boxes_);
+  for (const int cube : island_.cubes) {
+    const BodyState& s = state[static_cast<std::size_t>(cube)];
+    boxes_[static_cast<std::size_t>(cube)] =
+        make_box(s.position, s.angle, system_->body(cube).size);
+  }
   for (Contact& c : island_.contacts)
     c = at_poses(*system_, boxes_, c);
 }
 
-void ClosedContacts::solve() {
+void ClosedContacts::solve(const State& state, FewContacts::Order order) {
+  pose(state);
+  if (few_) {
+    small_.build(*system_, state, island_, order);
+    few_ = small_.solve(x_, forces_);
+    if (few_) return;
+  }
+  if (order == FewContacts::Order::acceleration) builder_.acceleration(state, island_, use_);
+  if (order == FewContacts::Order::velocity) builder_.velocity(state, island_, use_);
+  if (order == FewContacts::Order::position) builder_.position(state, island_, use_);
   solver_.factorise(builder_.program());
   solver_.solve(builder_.program(), x_, forces_);
 }
@@ -40,9 +57,7 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
   }
   forces_.clear();
   if (island_.contacts.empty()) return;
-  pose(state);
-  builder_.acceleration(state, island_, use_);
-  solve();
+  solve(state, FewContacts::Order::acceleration);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
     accelerations[static_cast<std::size_t>(cube)] = {Vec2(at[0], at[1]), at[2]};
@@ -52,9 +67,7 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
 
 void ClosedContacts::project_positions(State& state) {
   if (island_.contacts.empty()) return;
-  pose(state);
-  builder_.position(state, island_, use_);
-  solve();
+  solve(state, FewContacts::Order::position);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
     BodyState& s = state[static_cast<std::size_t>(cube)];
@@ -66,9 +79,7 @@ void ClosedContacts::project_positions(State& state) {
 
 void ClosedContacts::project_velocities(State& state) {
   if (island_.contacts.empty()) return;
-  pose(state);
-  builder_.velocity(state, island_, use_);
-  solve();
+  solve(state, FewContacts::Order::velocity);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
     BodyState& s = state[static_cast<std::size_t>(cube)];

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/dynamics/few_contacts.h"
 #include "core/dynamics/programs.h"
 #include "core/qp/equality_solver.h"
 
@@ -22,7 +23,7 @@ class ClosedContacts {
 
   [[nodiscard]] const std::vector<Contact>& contacts() const { return island_.contacts; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
-  [[nodiscard]] bool redundant() const { return solver_.dependent_rows() > 0; }
+  [[nodiscard]] bool redundant() const { return !few_ && solver_.dependent_rows() > 0; }
 
   /// Accelerations of all cubes (m/s^2, rad/s^2). Afterwards `contacts` are those at `state`, and
   /// `forces` theirs.
@@ -37,11 +38,13 @@ class ClosedContacts {
 
  private:
   void pose(const State& state);
-  void solve();
+  void solve(const State& state, FewContacts::Order order);
 
   const System* system_;
   ProgramBuilder builder_;
   EqualitySolver solver_;
+  FewContacts small_;
+  bool few_ = false;  ///< `small_` can do it
   Island island_;
   std::vector<char> resting_;
   std::vector<SideUse> use_;

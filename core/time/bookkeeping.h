@@ -32,12 +32,14 @@ struct Audit {
   double max_rod_error = 0.0;     ///< largest relative change of a rod's length
   double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
   long missed_solves = 0;         ///< programs whose residual missed the tolerance
-  long unresolved =
-      0;  ///< times at which events had to be passed over or the error control gave up
+  /// Times at which events had to be passed over, or cubes had to stop short at the end of a step
+  /// to leave no overlap.
+  long unresolved = 0;
   long searches_given_up = 0;  ///< event searches that left a gap near zero unproved; overlap is
                                ///< measured afterwards
-  long stopped_short = 0;      ///< steps at whose end cubes had to stop to leave no overlap
-  long wedged = 0;             ///< programs without any solution: cubes wedged by their turning
+  /// Programs without any solution, and accelerations that no step can follow: cubes wedged by
+  /// their turning.
+  long wedged = 0;
   double drift_budget = 0.0;   ///< J, what the tolerance promises of |drift()|; 0 where it promises
                                ///< nothing (stepping)
   double energy_start = 0.0;   ///< J

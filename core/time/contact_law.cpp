@@ -10,6 +10,7 @@ namespace {
 
 /// A contact was hit where its impulse exceeds this share of the island's largest.
 constexpr double hit_share = 1e-9;
+constexpr int most_separations = 4;
 /// Overlap deeper than this share of the smaller side is removed.
 constexpr double overlap_share = 1e-13;
 /// After an impact a gap that opens more slowly than this share of V, and that the forces would
@@ -28,10 +29,19 @@ constexpr double closed_rounding = 1e-11;
 
 IndexPair pair_of(const Contact& c) { return std::minmax(c.on, c.from); }
 
+bool all_rest(const Island& island, const std::vector<char>& resting) {
+  return std::ranges::all_of(
+      island.cubes, [&](int cube) { return resting[static_cast<std::size_t>(cube)] != 0; });
+}
+
 }  // namespace
 
 ContactLaw::ContactLaw(const System& system, const MotionSettings& settings)
-    : system_(&system), skips_(settings.skips), dynamics_(system, settings) {}
+    : system_(&system),
+      skips_(settings.skips),
+      method_(settings.solver),
+      dynamics_(system, settings),
+      builder_(system, Formulation::rigid) {}
 
 void ContactLaw::apply(
     State& state, double t, const ContactLimits& limits, Closure& closure, Bookkeeping& book) {
@@ -44,16 +54,14 @@ void ContactLaw::apply(
   finder_.find(*system_, state, contacts_, limits.touching);
   note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
   find_islands(*system_, contacts_, islands_);
+  separate(state, closure.resting, book);
   const std::size_t first_event = book.events.size();
   // A cube that touches nothing any more does not rest.
   std::vector<char> touched(state.size(), 0);
   for (Island& island : islands_) {
     for (const int cube : island.cubes)
       touched[static_cast<std::size_t>(cube)] = 1;
-    const bool rests = std::ranges::all_of(island.cubes, [&](int cube) {
-      return closure.resting[static_cast<std::size_t>(cube)] != 0;
-    });
-    if (rests) {
+    if (all_rest(island, closure.resting)) {
       ++book.cost.skipped_rest;
       continue;
     }
@@ -74,7 +82,6 @@ void ContactLaw::apply_island(
       island.cubes, [&](int cube) { return closure.resting[static_cast<std::size_t>(cube)] != 0; });
   for (const int cube : island.cubes)
     closure.resting[static_cast<std::size_t>(cube)] = 0;
-  separate(island, state, book);
   const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
     return contact_motion(*system_, state, c) == ContactMotion::closing;
   });
@@ -94,23 +101,58 @@ void ContactLaw::apply_island(
   }
   const IslandSolution solution = settle_contacts(island, state, hit, book);
   closure.wedged = closure.wedged || solution.status == QpStatus::infeasible;
-  close(island, solution, closure);
+  find_closed(island, solution);
+  settle_on_closed(island, state, book);
+  close(island, closure);
 }
 
-/// Removes what bodies overlap by, which is rounding, so that it cannot add up.
-void ContactLaw::separate(Island& island, State& state, Bookkeeping& book) {
-  const bool overlaps = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-    return c.gap < -overlap_share * contact_scale(*system_, c);
+bool ContactLaw::overlaps(const Contact& c) const {
+  return c.gap < -overlap_share * contact_scale(*system_, c);
+}
+
+/// Removes what bodies overlap by, which is rounding, so that it cannot add up. A light body
+/// between others may have to move by more than that, into what it did not touch before: then that
+/// takes part as well.
+void ContactLaw::separate(State& state, const std::vector<char>& resting, Bookkeeping& book) {
+  if (std::ranges::none_of(contacts_, [&](const Contact& c) { return overlaps(c); })) return;
+  const State start = state;
+  for (int round = 0; round < most_separations; ++round) {
+    for (Island& island : islands_) {
+      if (all_rest(island, resting)) continue;
+      if (std::ranges::none_of(island.contacts, [&](const Contact& c) { return overlaps(c); }))
+        continue;
+      use_.assign(island.contacts.size(), SideUse::inequality);
+      const IslandSolution solution = dynamics_.correction(state, island, use_);
+      ++book.cost.qp_solves;
+      displace(island, solution.twists, state);
+      follow(island, state);
+    }
+    if (!add_overlapping(state)) {
+      if (round == 0) return;
+      // What has been added stands apart from what else there is of its pair.
+      finder_.find(*system_, state, contacts_, limits_.touching);
+      find_islands(*system_, contacts_, islands_);
+      return;
+    }
+    state = start;
+    find_islands(*system_, contacts_, islands_);
+    for (Island& island : islands_)
+      follow(island, state);
+  }
+}
+
+/// Adds contacts that overlap at `state` and have not been seen before; false where there are none.
+bool ContactLaw::add_overlapping(const State& state) {
+  std::vector<ContactId> known;
+  for (const Contact& c : contacts_)
+    known.push_back(c.id());
+  std::ranges::sort(known);
+  finder_.find(*system_, state, found_, limits_.touching);
+  std::erase_if(found_, [&](const Contact& c) {
+    return !overlaps(c) || std::ranges::binary_search(known, c.id());
   });
-  if (!overlaps) return;
-  use_.assign(island.contacts.size(), SideUse::inequality);
-  const IslandSolution solution = dynamics_.correction(state, island, use_);
-  ++book.cost.qp_solves;
-  displace(island, solution.twists, state);
-  std::vector<Box> boxes;
-  pose_boxes(*system_, state, boxes);
-  for (Contact& c : island.contacts)
-    c = at_poses(*system_, boxes, c);
+  contacts_.insert(contacts_.end(), found_.begin(), found_.end());
+  return !found_.empty();
 }
 
 bool ContactLaw::strike(const Island& island, State& state, double t, Bookkeeping& book) {
@@ -211,26 +253,67 @@ IslandSolution ContactLaw::peek(const Island& island,
     s.spin += dt * a.angular;
   }
   Island moved = island;
-  std::vector<Box> boxes;
-  pose_boxes(*system_, ahead, boxes);
-  for (Contact& c : moved.contacts)
-    c = at_poses(*system_, boxes, c);
+  follow(moved, ahead);
   IslandSolution solution = dynamics_.accelerations(ahead, moved, use);
   keep_book(solution, book);
   return solution;
 }
 
-void ContactLaw::close(const Island& island,
-                       const IslandSolution& solution,
-                       Closure& closure) const {
+void ContactLaw::find_closed(const Island& island, const IslandSolution& solution) {
   double lightest = system_->body(island.cubes.front()).mass;
   for (const int cube : island.cubes)
     lightest = std::min(lightest, system_->body(cube).mass);
   const double limit = closed_acceleration * scales_.gravity
                        + closed_rounding * std::ranges::max(solution.forces) / lightest;
+  closed_.clear();
+  for (const double slack : solution.slacks)
+    closed_.push_back(slack <= limit ? SideUse::equality : SideUse::inequality);
+}
+
+/// Closed contacts may still have gaps within what counts as touching, and open slowly. The smooth
+/// phase makes both zero, which may not push other contacts into overlap or let them close: they
+/// take part here, as inequalities.
+void ContactLaw::settle_on_closed(Island& island, State& state, Bookkeeping& book) {
+  if (std::ranges::find(closed_, SideUse::inequality) == closed_.end()) return;
+  bool off = false;
+  bool moving = false;
+  for (std::size_t k = 0; k < closed_.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (closed_[k] != SideUse::equality) continue;
+    off = off || std::abs(c.gap) > overlap_share * contact_scale(*system_, c);
+    moving = moving || contact_motion(*system_, state, c) != ContactMotion::resting;
+  }
+  if (off) {
+    const IslandSolution placed = dynamics_.correction(state, island, closed_);
+    ++book.cost.qp_solves;
+    if (placed.status == QpStatus::optimal) {
+      displace(island, placed.twists, state);
+      follow(island, state);
+    }
+  }
+  if (!moving) return;
+  builder_.velocity(state, island, closed_);
+  if (!solver_) solver_ = make_qp_solver(method_);
+  QpResult result;
+  solver_->forget();
+  solver_->solve(builder_.program(), result);
+  ++book.cost.qp_solves;
+  if (result.status == QpStatus::optimal)
+    set_velocities(island, builder_.twists(state, island, result.x), state);
+}
+
+/// Contacts of an island whose cubes have been moved.
+void ContactLaw::follow(Island& island, const State& state) const {
+  std::vector<Box> boxes;
+  pose_boxes(*system_, state, boxes);
+  for (Contact& c : island.contacts)
+    c = at_poses(*system_, boxes, c);
+}
+
+void ContactLaw::close(const Island& island, Closure& closure) const {
   std::vector<Contact> closed;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (solution.slacks[k] <= limit) closed.push_back(island.contacts[k]);
+    if (closed_[k] == SideUse::equality) closed.push_back(island.contacts[k]);
   }
   for (std::size_t k = 0; k < closed.size(); ++k) {
     const Contact& c = closed[k];

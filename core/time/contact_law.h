@@ -1,6 +1,7 @@
 /// What happens at an event: what touches, who hits whom, and which contacts are closed afterwards.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/dynamics/gauss.h"
@@ -38,7 +39,9 @@ class ContactLaw {
 
  private:
   void apply_island(Island& island, State& state, double t, Closure& closure, Bookkeeping& book);
-  void separate(Island& island, State& state, Bookkeeping& book);
+  void separate(State& state, const std::vector<char>& resting, Bookkeeping& book);
+  bool add_overlapping(const State& state);
+  [[nodiscard]] bool overlaps(const Contact& c) const;
   bool strike(const Island& island, State& state, double t, Bookkeeping& book);
   IslandSolution settle_contacts(const Island& island,
                                  const State& state,
@@ -50,17 +53,25 @@ class ContactLaw {
                       const IslandSolution& now,
                       std::span<const SideUse> use,
                       Bookkeeping& book);
-  void close(const Island& island, const IslandSolution& solution, Closure& closure) const;
+  void find_closed(const Island& island, const IslandSolution& solution);
+  void settle_on_closed(Island& island, State& state, Bookkeeping& book);
+  void follow(Island& island, const State& state) const;
+  void close(const Island& island, Closure& closure) const;
 
   const System* system_;
   Skips skips_;
+  QpMethod method_;
   IslandDynamics dynamics_;
   ContactFinder finder_;
   Scales scales_;
   ContactLimits limits_;
   std::vector<Contact> contacts_;
+  std::vector<Contact> found_;
   std::vector<Island> islands_;
   std::vector<SideUse> use_;
+  std::vector<SideUse> closed_;  ///< per contact of an island: equality where it stays closed
+  ProgramBuilder builder_;       ///< always in the rigid form
+  std::unique_ptr<QpSolver> solver_;
 };
 
 }  // namespace wuerfel

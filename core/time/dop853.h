@@ -29,6 +29,19 @@ class DenseStep {
     return c[0]
            + s * (c[1] + r * (c[2] + s * (c[3] + r * (c[4] + s * (c[5] + r * (c[6] + s * c[7]))))));
   }
+  /// Derivative of component i by s.
+  [[nodiscard]] double slope(double s, std::size_t i) const {
+    const double* c = &coefficients[i * terms];
+    const double r = 1.0 - s;
+    double value = c[7];
+    double rate = 0.0;
+    for (int k = 6; k >= 1; --k) {
+      const bool falls = k % 2 != 0;  // the factor is r
+      rate = falls ? r * rate - value : s * rate + value;
+      value = c[k] + (falls ? r : s) * value;
+    }
+    return s * rate + value;
+  }
 
   std::vector<double> coefficients;  ///< `terms` for each component
 };

@@ -25,17 +25,14 @@ constexpr double shortest_step = 1e-11;
 constexpr double forced_time = 1e-9;
 constexpr double instant_share = 1e-13;
 constexpr int most_instant_events = 60;
-/// A gap's acceleration beyond this share of g is an opening.
-constexpr double opening_share = 1e-8;
 /// Corrections of an event's time end at this share of L / V.
 constexpr double located_share = 1e-15;
+/// Below this share of L / V a correction is made by accelerations; what they change by meanwhile
+/// is rounding.
+constexpr double moved_share = 1e-8;
 constexpr int most_corrections = 4;
-/// Samples of forces within a step whose stages saw one vanish.
-constexpr int force_samples = 8;
-/// Brackets of forces within a step, and of openings, which change accelerations continuously.
+/// The bracket that the search leaves of an event in a step.
 constexpr double found_share = 1e-13;
-constexpr int most_bisections = 100;
-constexpr double opening_width = 1e-10;
 
 /// x^(-1/8), from square roots.
 double eighth_root_inverse(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
@@ -49,7 +46,7 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       closed_(system),
       looker_(system),
       search_(system),
-      opening_(system, settings),
+      releases_(system, settings),
       holds_(system),
       next_holds_(system) {}
 
@@ -154,11 +151,25 @@ void EventMotion::fall(double limit, std::deque<MotionPiece>& pieces, Bookkeepin
     range_[i] = {accelerations_[i], accelerations_[i]};
   const auto crossing = search_.first({&dense_, h, &range_});
   note_given_up(book);
-  const double share = crossing ? crossing->share : 1.0;
   next_ = state_;
-  look_at(dense_, share, next_);
+  const double elapsed = crossing ? fall_to(*crossing, h) : h;
+  if (!crossing) look_at(dense_, 1.0, next_);
   pieces.push_back({MotionPiece::Kind::smooth, clock_, h, state_, dense_, {}});
-  finish(crossing || h < limit - clock_ ? share * h : limit - clock_, crossing.has_value(), book);
+  finish(elapsed, crossing.has_value(), book);
+}
+
+/// Falls to where a watched function vanishes: Newton's method on the parabola.
+double EventMotion::fall_to(const Crossing& crossing, double h) {
+  double length = crossing.share * h;
+  for (int k = 0; k < most_corrections; ++k) {
+    look_at(dense_, length / h, next_);
+    const Reading reading = search_.read(next_, crossing.watch);
+    const double correction = -reading.value / reading.rate;
+    if (std::abs(correction) <= located_share * scales_.time) break;
+    if (!(std::abs(correction) <= found_share * h) || length + correction <= 0.0) break;
+    length += correction;
+  }
+  return length;
 }
 
 void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
@@ -178,7 +189,9 @@ void EventMotion::integrate(double limit, std::deque<MotionPiece>& pieces, Bookk
   const double until = crossing ? crossing->share : 1.0;
   std::optional<double> release;
   if (pull_ < 0.0) {
-    release = closed_.redundant() ? first_opening(until, book) : first_release(until);
+    release = closed_.redundant()
+                  ? releases_.first_opening(dense_, until, next_, scales_.gravity, closed_, book)
+                  : releases_.first_release(dense_, until, next_, holds_, closed_);
   }
   if (!crossing && !release) {
     add_piece(pieces);
@@ -206,7 +219,9 @@ double EventMotion::controlled_step(double h, Bookkeeping& book) {
     error = method_.error(scale_);
     if (error <= 1.0) break;
     if (h <= shortest_step * scales_.time) {
-      ++book.audit.unresolved;
+      // Rows that nearly depend on one another: accelerations are no smooth function any more.
+      ++book.audit.wedged;
+      closure_.wedged = true;
       break;
     }
     rejected = true;
@@ -263,7 +278,10 @@ double EventMotion::reach_crossing(const Crossing& crossing, double h) {
     const Reading reading = search_.read(next_, crossing.watch);
     if (reading.rate == 0.0) break;
     const double correction = -reading.value / reading.rate;
-    if (std::abs(correction) <= located_share * scales_.time) break;
+    if (std::abs(correction) <= moved_share * scales_.time && length + correction > 0.0) {
+      next_ = moved(next_, correction);
+      return length + correction;
+    }
     if (std::abs(correction) > 0.01 * h || length + correction <= 0.0) break;
     length += correction;
   }
@@ -275,83 +293,31 @@ double EventMotion::reach_release(double length) {
   for (int k = 0; k < most_corrections; ++k) {
     restep(length);
     if (closed_.redundant()) break;
-    const double force = hold_at(next_);
+    const double force = releases_.hold_at(next_, holds_, closed_);
     const double ahead = 1e-6 * scales_.time;
-    State later = next_;
-    for (std::size_t i = 0; i < later.size(); ++i) {
-      const std::size_t at = components * i;
-      const double* r = next_rate_.data() + at;
-      later[i].position += ahead * Vec2(r[0], r[1]) + 0.5 * ahead * ahead * Vec2(r[3], r[4]);
-      later[i].angle += ahead * r[2] + 0.5 * ahead * ahead * r[5];
-      later[i].velocity += ahead * Vec2(r[3], r[4]);
-      later[i].spin += ahead * r[5];
-    }
-    const double rate = (hold_at(later) - force) / ahead;
+    const double rate = (releases_.hold_at(moved(next_, ahead), holds_, closed_) - force) / ahead;
     if (rate >= 0.0) break;
     const double correction = -force / rate;
-    if (std::abs(correction) <= 1e-13 * scales_.time) break;
+    if (std::abs(correction) <= moved_share * scales_.time && length + correction > 0.0) {
+      next_ = moved(next_, correction);
+      return length + correction;
+    }
     if (std::abs(correction) > 0.01 * length_ || length + correction <= 0.0) break;
     length += correction;
   }
   return length_;
 }
 
-double EventMotion::hold_at(const State& state) {
-  closed_.accelerate(state, accelerations_);
-  return holds_.smallest(closed_);
-}
-
-/// Share of the step at which the first force vanishes.
-std::optional<double> EventMotion::first_release(double until) {
-  State state = state_;
-  const auto force_at = [&](double share) {
-    look_at(dense_, share, state);
-    return hold_at(state);
-  };
-  double low = 0.0;
-  double high = 0.0;
-  double at_low = force_at(0.0);
-  double at_high = at_low;
-  if (at_low <= 0.0) return 0.0;
-  for (int k = 1; k <= force_samples; ++k) {
-    high = until * k / force_samples;
-    at_high = force_at(high);
-    if (at_high < 0.0) break;
-    low = high;
-    at_low = at_high;
+/// The state at the end of the step, a moment later, by its rates.
+State EventMotion::moved(State state, double time) const {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double* r = next_rate_.data() + components * i;
+    state[i].position += time * Vec2(r[0], r[1]) + 0.5 * time * time * Vec2(r[3], r[4]);
+    state[i].angle += time * r[2] + 0.5 * time * time * r[5];
+    state[i].velocity += time * Vec2(r[3], r[4]);
+    state[i].spin += time * r[5];
   }
-  if (at_high >= 0.0) {
-    // The polynomial may miss by rounding what the state at the end shows.
-    if (until == 1.0 && hold_at(next_) < 0.0) return 1.0;
-    return {};
-  }
-  // False position with the bracket halved where that is slow.
-  for (int k = 0; high - low > found_share && k < most_bisections; ++k) {
-    double at = low + (high - low) * (k % 3 == 2 ? 0.5 : at_low / (at_low - at_high));
-    at = std::clamp(at, low + 0.1 * found_share, high - 0.1 * found_share);
-    const double force = force_at(at);
-    (force < 0.0 ? high : low) = at;
-    (force < 0.0 ? at_high : at_low) = force;
-  }
-  return high;
-}
-
-/// Share of the step from which on redundant contacts open. Negative forces alone are no reason:
-/// other forces may do the same. The program with inequalities decides.
-std::optional<double> EventMotion::first_opening(double until, Bookkeeping& book) {
-  State state = state_;
-  const auto opens_at = [&](double share) {
-    look_at(dense_, share, state);
-    return opening_.opens(state, closed_, opening_share * scales_.gravity, book);
-  };
-  if (!opens_at(until)) return {};
-  double low = 0.0;
-  double high = until;
-  while (high - low > opening_width) {
-    const double at = 0.5 * (low + high);
-    (opens_at(at) ? high : low) = at;
-  }
-  return high;
+  return state;
 }
 
 void EventMotion::add_piece(std::deque<MotionPiece>& pieces) const {

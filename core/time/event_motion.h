@@ -8,9 +8,8 @@
 #include "core/dynamics/closed_contacts.h"
 #include "core/time/contact_law.h"
 #include "core/time/event_search.h"
-#include "core/time/holds.h"
 #include "core/time/motion_piece.h"
-#include "core/time/opening_test.h"
+#include "core/time/release_search.h"
 
 namespace wuerfel {
 
@@ -45,8 +44,8 @@ class EventMotion final : private VectorField {
  private:
   void operator()(const std::vector<double>& y, std::vector<double>& rate) override;
   void begin_phase(const ContactLimits& limits, Bookkeeping& book);
-  [[nodiscard]] double hold_at(const State& state);
   void fall(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
+  double fall_to(const Crossing& crossing, double h);
   void integrate(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
   void note_given_up(Bookkeeping& book);
   double controlled_step(double h, Bookkeeping& book);
@@ -54,8 +53,7 @@ class EventMotion final : private VectorField {
   void restep(double length);
   double reach_crossing(const Crossing& crossing, double h);
   double reach_release(double length);
-  [[nodiscard]] std::optional<double> first_release(double until);
-  [[nodiscard]] std::optional<double> first_opening(double until, Bookkeeping& book);
+  [[nodiscard]] State moved(State state, double time) const;
   void add_piece(std::deque<MotionPiece>& pieces) const;
   void finish(double elapsed, bool event, Bookkeeping& book);
 
@@ -66,7 +64,7 @@ class EventMotion final : private VectorField {
   ClosedContacts looker_;  ///< for looks between steps
   EventSearch search_;
   Dop853 method_;
-  OpeningTest opening_;
+  ReleaseSearch releases_;
   Scales scales_;
   Closure closure_;
 

@@ -5,27 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/time/motion_piece.h"
-#include "core/time/watch.h"
+#include "core/time/step_view.h"
 
 namespace wuerfel {
 
 struct Crossing {
   double share = 1.0;  ///< of the step
   Watch watch;
-};
-
-/// Range of a cube's accelerations within a step.
-struct TwistRange {
-  Twist low;
-  Twist high;
-};
-
-/// A step as the search sees it.
-struct WatchedStep {
-  const DenseStep* motion = nullptr;
-  double length = 0.0;                             ///< s
-  const std::vector<TwistRange>* range = nullptr;  ///< one per cube
 };
 
 /// Searches with a bound: an interval without a zero is left when the function's values and rates
@@ -54,19 +40,19 @@ class EventSearch {
   void watch_closed(const std::vector<Contact>& closed);
   void watch_planes(const std::vector<Contact>& closed);
   void find_candidates(const WatchedStep& step);
-  [[nodiscard]] bool is_still(int body) const;
-  [[nodiscard]] MovingBox body_at(const WatchedStep& step, int body, double share) const;
-  [[nodiscard]] MovingBox body_of(const State& state, int body) const;
-  [[nodiscard]] double curvature(const WatchedStep& step, const Watch& watch) const;
   [[nodiscard]] double zero(const Watch& watch) const;
-  void search(const WatchedStep& step, Watch& watch, std::optional<Crossing>& first);
+  [[nodiscard]] bool only_falls(const Watch& watch, const Look& a, const Look& b) const;
+  [[nodiscard]] double next_share(
+      const Look& a, const Look& b, double shift, bool falls, int count) const;
+  void search(Watch& watch, std::optional<Crossing>& first);
 
   const System* system_;
-  std::vector<char> resting_;
-  std::vector<Watch> watches_;           ///< of the phase
-  std::vector<Watch> unarmed_;           ///< separations that start at zero
-  std::vector<IndexPair> closed_pairs_;  ///< sorted
-  std::vector<Watch> candidates_;        ///< separations of this step
+  StepView view_;
+  std::vector<Watch> watches_;               ///< of the phase
+  std::vector<Watch> unarmed_;               ///< separations that start at zero
+  std::vector<IndexPair> closed_pairs_;      ///< sorted
+  std::vector<Watch> candidates_;            ///< separations of this step
+  std::vector<std::pair<Look, Look>> open_;  ///< parts of the step that are still to be searched
   std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
   double rounding_ = 0.0;  ///< m, what rounding of the positions leaves of gaps

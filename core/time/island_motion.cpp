@@ -65,7 +65,6 @@ void add_audit(const Audit& more, Audit& audit) {
   audit.missed_solves += more.missed_solves;
   audit.unresolved += more.unresolved;
   audit.searches_given_up += more.searches_given_up;
-  audit.stopped_short += more.stopped_short;
   audit.wedged += more.wedged;
 }
 
@@ -287,8 +286,10 @@ void IslandMotion::move_groups() {
     end_ = begin_ + length_;
     for (Group& group : groups_) {
       Track& track = *group.track;
-      while (track.clock() < end_)
+      while (track.clock() < end_) {
+        beat();
         track.advance(alone ? forever : end_);
+      }
       if (alone) end_ = track.clock();
     }
     if (alone || !join_those_that_met(state)) return;

@@ -46,7 +46,7 @@ void NearContacts::find(const State& end,
     const auto j = static_cast<std::size_t>(pair.second);
     const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
     const FacingSide side = separating_side(start_, end_, pair.first, pair.second);
-    if (side.gap >= reach * scale) continue;
+    if (side.separation >= reach * scale) continue;
     // Sides that may become flush within the step: a second corner on sides that are not gives a
     // false impulse when a corner passes the end of an edge.
     const double flush =

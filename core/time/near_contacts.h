@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/constraints/contact.h"
+#include "core/constraints/manifold.h"
 
 namespace wuerfel {
 

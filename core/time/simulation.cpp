@@ -55,6 +55,10 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance_to(double t) { impl_->motion->advance_to(t); }
 
+void Simulation::set_pulse(std::function<void()> pulse) {
+  impl_->motion->set_pulse(std::move(pulse));
+}
+
 double Simulation::time() const { return impl_->motion->time(); }
 
 const State& Simulation::states() const { return impl_->motion->now().state; }

@@ -1,6 +1,7 @@
 /// Simulation: a scene in motion. The façade that programs use: make one, advance it, look at it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -35,6 +36,10 @@ class Simulation {
   /// Moves on to time `t` exactly (t >= time()); the state is that just after an event that falls
   /// on `t`.
   void advance_to(double t);
+  /// `pulse` is called again and again while `advance_to` works, so that somebody who waits can be
+  /// told, or stop it: what it throws leaves `advance_to`, and the simulation can only be destroyed
+  /// then.
+  void set_pulse(std::function<void()> pulse);
 
   [[nodiscard]] double time() const;
   /// One per cube, in the order of Scene::cubes.

@@ -24,6 +24,7 @@ SteppedMotion::SteppedMotion(const System& system, const MotionSettings& setting
 void SteppedMotion::advance_to(double t) {
   shown_.reset();
   while (static_cast<double>(whole_steps_ + 1) * settings_.step <= t + same_time * settings_.step) {
+    beat();
     stepper_.step(grid_, settings_.step, book_);
     grid_.t = static_cast<double>(++whole_steps_) * settings_.step;
     if (!Stepper::at_rest(grid_)) note_rods();

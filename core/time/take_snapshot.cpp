@@ -1,5 +1,6 @@
 #include "core/time/take_snapshot.h"
 
+#include "core/constraints/manifold.h"
 #include "core/constraints/side.h"
 #include "core/dynamics/forces.h"
 

@@ -43,11 +43,12 @@ constexpr int looks_per_piece = 4;
 }  // namespace
 
 Track::Track(const System& system, const MotionSettings& settings)
-    : system_(&system),
-      settings_(settings),
-      events_(system, settings),
-      stepper_(system, settings),
-      looker_(system, settings) {}
+    : system_(&system), settings_(settings), events_(system, settings) {}
+
+RattleStepper& Track::stepper() {
+  if (!stepper_) stepper_ = std::make_unique<RattleStepper>(*system_, settings_);
+  return *stepper_;
+}
 
 void Track::start(const State& state,
                   double t,
@@ -103,7 +104,7 @@ void Track::advance(double limit) {
   events_.advance(limit, pieces_, book_);
   const bool unsure = book_.audit.searches_given_up > before.searches_given_up;
   if (book_.audit.max_overlap > overlap_share
-      || (unsure && stepper_.measure_overlap(events_.state()) > overlap_share)) {
+      || (unsure && stepper().measure_overlap(events_.state()) > overlap_share)) {
     // An event was missed. Stepping does not need to know of it.
     const long given_up = book_.audit.searches_given_up;
     book_.audit = before;
@@ -165,7 +166,8 @@ void Track::step(double limit) {
     if (clock_ >= until_) go_on_or_hand_back();
     return;
   }
-  const double whole = std::min({step_, stepper_.longest_step(state_), end - clock_});
+  RattleStepper& stepper = this->stepper();
+  const double whole = std::min({step_, stepper.longest_step(state_), end - clock_});
   double h = end - clock_ - whole < same_time * scales_.time ? end - clock_ : whole;
   const double shortest = h * shortest_share;
   const double bearable =
@@ -182,21 +184,20 @@ void Track::step(double limit) {
   };
   while (true) {
     next = state_;
-    rise = stepper_.step(next, clock_, h, book_);
-    const bool clean = stepper_.overlap_left() <= overlap_share;
-    const bool exact = stepper_.error() <= allowed && rise <= bearable;
+    rise = stepper.step(next, clock_, h, book_);
+    const bool clean = stepper.overlap_left() <= overlap_share;
+    const bool exact = stepper.error() <= allowed && rise <= bearable;
     if (clean && (exact || h <= shortest)) break;
     undo();
     if (h <= shortest) {
-      rise = stepper_.stop_short(next, clock_, book_);
-      ++book_.audit.stopped_short;
+      rise = stepper.stop_short(next, clock_, book_);
+      ++book_.audit.unresolved;
       break;
     }
     h *= 0.5;
   }
   if (whole == step_) {
-    const bool easy =
-        stepper_.error() <= doubled_error * allowed && rise <= doubled_rise * bearable;
+    const bool easy = stepper.error() <= doubled_error * allowed && rise <= doubled_rise * bearable;
     step_ = std::clamp(h == whole && easy ? 2.0 * h : h, shortest_share * longest_, longest_);
   }
   for (std::size_t k = before.events.size(); k < book_.events.size(); ++k)
@@ -232,7 +233,7 @@ void Track::go_on_or_hand_back() {
 }
 
 void Track::hand_back() {
-  stepper_.close_gaps(state_);
+  stepper().close_gaps(state_);
   handed_back_ = clock_;
   last_events_ = 0;
   frame_events_ = former_events_ = 0;
@@ -250,8 +251,9 @@ State Track::at(double t) {
   if (t <= piece->begin || piece->kind == MotionPiece::Kind::rest) return piece->start;
   if (piece->kind == MotionPiece::Kind::smooth) return events_.look(*piece, t);
   const auto next = std::next(piece);
-  return looker_.look(piece->start, next == pieces_.end() ? state_ : next->start, piece->length,
-                      (t - piece->begin) / piece->length);
+  if (!looker_) looker_ = std::make_unique<RattleStepper>(*system_, settings_);
+  return looker_->look(piece->start, next == pieces_.end() ? state_ : next->start, piece->length,
+                       (t - piece->begin) / piece->length);
 }
 
 void Track::forget_before(double t) {

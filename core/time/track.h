@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <limits>
+#include <memory>
 
 #include "core/time/event_motion.h"
 #include "core/time/rattle_stepper.h"
@@ -57,6 +58,7 @@ class Track {
   void sweep(double t, std::vector<BoundingBox>& bounds) const;
 
  private:
+  RattleStepper& stepper();
   [[nodiscard]] double frame() const;
   void count_events(double t, long more);
   void consider_events();
@@ -70,8 +72,8 @@ class Track {
   const System* system_;
   MotionSettings settings_;
   EventMotion events_;
-  RattleStepper stepper_;
-  RattleStepper looker_;  ///< for looks between steps
+  std::unique_ptr<RattleStepper> stepper_;  ///< none before the first step
+  std::unique_ptr<RattleStepper> looker_;   ///< for looks between steps
   Scales scales_;
   bool stepping_ = false;
   double clock_ = 0.0;  ///< s, of the stepping

@@ -39,46 +39,32 @@ Reading read_corner(
     const MovingBox& b, int corner, const MovingBox& a, int side, Watch::Kind kind) {
   const Vec2 r = b.box.arm[static_cast<std::size_t>(corner)];
   const Vec2 d = (b.box.center - a.box.center) + r;
-  const Vec2 d_rate = b.velocity - a.velocity + b.spin * perp(r);
+  const Vec2 d_1 = b.velocity - a.velocity + b.spin * perp(r);
+  const Vec2 d_2 = b.acceleration.linear - a.acceleration.linear + b.acceleration.angular * perp(r)
+                   - b.spin * b.spin * r;
+  // Along a vector that turns with the side.
+  const auto along = [&](const Vec2& n) {
+    const Vec2 n_1 = perp(n);
+    return Reading{n.dot(d), n.dot(d_1) + a.spin * n_1.dot(d),
+                   n.dot(d_2) + 2.0 * a.spin * n_1.dot(d_1) + a.acceleration.angular * n_1.dot(d)
+                       - a.spin * a.spin * n.dot(d)};
+  };
   const Vec2 n = a.box.normal(side);
   if (kind == Watch::Kind::gap || kind == Watch::Kind::separation) {
-    return {n.dot(d) - a.box.reach(side), n.dot(d_rate) + a.spin * perp(n).dot(d)};
+    Reading gap = along(n);
+    gap.value -= a.box.reach(side);
+    return gap;
   }
   // From p_i to p_j: the normal is perp(p_j - p_i).
-  const Vec2 t = -perp(n);
-  const Reading along{t.dot(d), t.dot(d_rate) + a.spin * perp(t).dot(d)};
   const double half = 0.5 * a.box.length(side);
-  if (kind == Watch::Kind::to_start) return {half + along.value, along.rate};
-  return {half - along.value, -along.rate};
+  Reading rest = along(kind == Watch::Kind::to_start ? Vec2(-perp(n)) : perp(n));
+  rest.value += half;
+  return rest;
 }
 
-// The first zero that is possible after the one end must lie beyond the last that is possible
-// before the other.
-bool no_zero_between(const Reading& a, const Reading& b, double width, double curvature) {
-  if (a.value <= 0.0 || b.value <= 0.0) return false;
-  if (curvature * width * width <= 1e-12 * std::min(a.value, b.value) && a.rate * width > -a.value
-      && b.rate * width < b.value)
-    return true;
-  const double after =
-      (a.rate + std::sqrt(a.rate * a.rate + 2.0 * curvature * a.value)) / curvature;
-  const double before =
-      (-b.rate + std::sqrt(b.rate * b.rate + 2.0 * curvature * b.value)) / curvature;
-  return after + before >= width;
-}
-
-bool side_stays_clear(
-    const Look& a, const Look& b, int index, double shift, double length, double curvature) {
-  const double width = b.share - a.share;
-  const PairSide at_a = side_of_pair(a, index);
-  const PairSide at_b = side_of_pair(b, index);
-  for (int k = 0; k < 4; ++k) {
-    Reading from = read_corner(*at_a.on, k, *at_a.from, at_a.side, Watch::Kind::gap);
-    Reading to = read_corner(*at_b.on, k, *at_b.from, at_b.side, Watch::Kind::gap);
-    from = {from.value + shift, from.rate * length};
-    to = {to.value + shift, to.rate * length};
-    if (!no_zero_between(from, to, width, curvature)) return false;
-  }
-  return true;
+Reading read_pair_side(const Look& look, int pair_side, int k) {
+  const PairSide s = side_of_pair(look, pair_side);
+  return read_corner(*s.on, k, *s.from, s.side, Watch::Kind::gap);
 }
 
 Look look_at_separation(const MovingBox& from, const MovingBox& on, double share) {

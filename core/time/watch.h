@@ -10,6 +10,7 @@ struct MovingBox {
   Box box;
   Vec2 velocity = Vec2::Zero();
   double spin = 0.0;
+  Twist acceleration;  ///< where it is known
 };
 
 /// A function of the motion that is positive until an event happens.
@@ -32,13 +33,14 @@ struct Watch {
   }
 };
 
-/// Value (m) and rate (m/s) of a watched function, with its shift.
+/// A watched function, with its shift: value (m) and derivatives.
 struct Reading {
   double value = 0.0;
-  double rate = 0.0;
+  double rate = 0.0;  ///< m/s
+  double bend = 0.0;  ///< m/s^2; where accelerations are known
 };
 
-/// Value and rate of a corner of `on` against side `side` of `from`.
+/// Reading of a corner of `on` against side `side` of `from`.
 Reading read_corner(
     const MovingBox& on, int corner, const MovingBox& from, int side, Watch::Kind kind);
 
@@ -46,7 +48,7 @@ Reading read_corner(
 struct Look {
   double share = 0.0;
   Reading reading;
-  MovingBox on;  ///< of separations
+  MovingBox on;
   MovingBox from;
   int pair_side = 0;  ///< the side that separates: 0 .. 3 of `from`, 4 .. 7 of `on`
 };
@@ -54,15 +56,7 @@ struct Look {
 /// Separation of two boxes, and the rate of the corner that is nearest to the side that separates.
 Look look_at_separation(const MovingBox& from, const MovingBox& on, double share);
 
-/// Whether a function that is positive at both ends of an interval of length `width`, with a second
-/// derivative of at most `curvature`, has no zero between them. Rates and curvature are in the
-/// interval's own unit.
-bool no_zero_between(const Reading& a, const Reading& b, double width, double curvature);
-
-/// Whether the separation of a pair, with `shift` added, stays positive between two looks because
-/// the side `pair_side` keeps all corners of the other body outside. `length` is that of the step,
-/// s.
-bool side_stays_clear(
-    const Look& a, const Look& b, int pair_side, double shift, double length, double curvature);
+/// Reading of corner k of the other body against side `pair_side` of a pair.
+Reading read_pair_side(const Look& look, int pair_side, int k);
 
 }  // namespace wuerfel

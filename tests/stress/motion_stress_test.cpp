@@ -66,6 +66,25 @@ TEST(Gallery, AGridFallsAsOne) {
   run_and_check(scene, 1.0);
 }
 
+// What opens slowly and is closed at once must not push its neighbours into each other.
+TEST(Gallery, ACubeOfARowOfHairsGapsIsStruck) {
+  Scene scene = with_floor({});
+  for (int i = 0; i < 3; ++i)
+    scene.cubes.push_back(cube("c" + std::to_string(i), {1.000001 * i, 0.5}));
+  scene.cubes[0].velocity = {0.4877030254080905, 1.5077289536308882};
+  run_and_check(scene, 2.0);
+}
+
+TEST(Gallery, AGridIsStruckAtItsCorner) {
+  Scene scene = with_floor({});
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 4; ++i)
+      scene.cubes.push_back(cube("c" + std::to_string(4 * j + i), {1.01 * i, 0.5 + 1.01 * j}));
+  }
+  scene.cubes[0].velocity = {-2.663403401246828, 0.4695798288163546};
+  run_and_check(scene, 2.0);
+}
+
 TEST(Gallery, AnExactlyFittingBinHoldsItsSquares) {
   Scene scene = with_floor({});
   scene.fixed.push_back({"left", {1.0, 6.0}, {-0.5, 3.0}, 0.0, {}});

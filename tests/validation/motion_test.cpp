@@ -151,5 +151,18 @@ TEST(Motion, ImpactsOnlyLoseEnergyAndLeaveNoOverlap) {
   EXPECT_FALSE(simulation.events().empty());
 }
 
+TEST(Motion, APulseIsFeltBetweenStepsAndStopsTheMotion) {
+  MotionSettings settings;
+  settings.integrator = Integrator::moreau;
+  Simulation simulation(with_floor(one_cube({0.0, 2.0}, 0.4, {0.3, 0.0}, 1.0)), settings);
+  struct Stop {};
+  int beats = 0;
+  simulation.set_pulse([&] {
+    if (++beats == 5) throw Stop{};
+  });
+  EXPECT_THROW(simulation.advance_to(10.0), Stop);
+  EXPECT_EQ(beats, 5);
+}
+
 }  // namespace
 }  // namespace wuerfel::test

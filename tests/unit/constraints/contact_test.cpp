@@ -104,6 +104,36 @@ TEST(Contact, AlignedCornersOfAGridTouchAcrossNoDiagonal) {
   EXPECT_EQ(find(scene).contacts.size(), 8U);
 }
 
+TEST(Contact, AlignedCornersThatGoIntoEachOtherTouchOnTheSideThatClosesMoreSlowly) {
+  Scene scene;
+  scene.cubes.push_back(cube("low", {0.0, 0.0}));
+  scene.cubes.push_back(cube("high", {1.0, 1.0}));
+  scene.cubes[1].velocity = {-2.0, -1.0};
+  const Found found = find(scene);
+  ASSERT_EQ(found.contacts.size(), 1U);
+  EXPECT_EQ((found.contacts[0].point - Vec2(0.5, 0.5)).norm(), 0.0);
+  EXPECT_EQ(std::abs(found.contacts[0].normal.y()), 1.0);
+  // What slides past, or opens, meets nobody.
+  for (const Vec2& past : {Vec2(0.0, -1.0), Vec2(1.0, -1.0), Vec2(0.0, 0.0)}) {
+    scene.cubes[1].velocity = past;
+    EXPECT_TRUE(find(scene).contacts.empty());
+  }
+}
+
+TEST(Contact, SidesAreFlushWhereBothCornersOfEitherTouch) {
+  // The high cube has turned by so little that both ends of the overlap touch, and by so much that
+  // its far corner, which has nothing below it, does not.
+  constexpr double turn = 2e-10;
+  constexpr double depth = 1e-10;
+  Scene scene;
+  scene.cubes.push_back(cube("plank", {0.0, 0.0}, {2.0, 0.2}));
+  scene.cubes.push_back(cube("high", {1.5 - 0.5 * turn, 0.6 + turn - depth}, {2.0, 1.0}, turn));
+  const Found found = find(scene);
+  ASSERT_EQ(found.contacts.size(), 2U);
+  EXPECT_NEAR(found.contacts[0].gap, -depth, 1e-15);
+  EXPECT_NEAR(found.contacts[1].gap, 0.5 * turn - depth, 1e-15);
+}
+
 TEST(Contact, CornerOnCornerTakesTheSideThatOpensFaster) {
   const double half = std::sqrt(0.5);
   Scene scene;
