@@ -24,7 +24,8 @@ constexpr std::size_t most_guessed_cubes = 64;
 constexpr int longest_pause = 64;
 
 /// Programs of so many cubes are solved exactly.
-constexpr std::size_t few_cubes = 24;
+constexpr std::size_t few_displaced_cubes = 24;
+constexpr std::size_t few_struck_cubes = 64;
 
 /// Small programs whose residual is above this are finished off as well: it costs next to nothing.
 constexpr double finished_residual = 1e-13;
@@ -51,9 +52,9 @@ IslandDynamics::IslandDynamics(const System& system,
                                const MotionSettings& settings,
                                const ProgramTolerances& tolerances)
     : system_(&system), settings_(settings), builder_(system, settings.formulation) {
-  impacts_.tolerance = tolerances.impact;
-  corrections_.tolerance = tolerances.correction;
-  placements_.tolerance = tolerances.placement;
+  impacts_ = {few_struck_cubes, tolerances.impact, {}};
+  corrections_ = {few_displaced_cubes, tolerances.correction, {}};
+  placements_ = {few_displaced_cubes, tolerances.placement, {}};
 }
 
 bool IslandDynamics::still_passes(Memory& memory, double tolerance) const {
@@ -124,7 +125,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   Memory& memory =
       memories.of_island[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
   const double tolerance =
-      island.cubes.size() > few_cubes ? memories.tolerance : QpSettings{}.tolerance;
+      island.cubes.size() > memories.few_cubes ? memories.tolerance : QpSettings{}.tolerance;
   IslandSolution solution;
   solution.skipped = still_passes(memory, tolerance);
   if (!solution.skipped && !guess(island, memory)) {

@@ -69,6 +69,7 @@ class IslandDynamics {
   };
   /// Of programs of one kind, by the first cube of the island.
   struct Memories {
+    std::size_t few_cubes = 0;  ///< of an island that is solved exactly all the same
     double tolerance = QpSettings{}.tolerance;
     std::map<int, Memory> of_island;
   };
