@@ -10,14 +10,14 @@
 /// 24, and Moreau's sweeping process for the inequalities.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/dynamics/closed_contacts.h"
 #include "core/dynamics/gauss.h"
 #include "core/time/bookkeeping.h"
-#include "core/time/near_contacts.h"
+#include "core/time/overlap_removal.h"
 #include "core/time/scales.h"
+#include "core/time/step_look.h"
 
 namespace wuerfel {
 
@@ -30,7 +30,7 @@ class RattleStepper {
   double step(State& state, double t, double h, Bookkeeping& book);
   /// Overlap that the last step left, as a share of the smaller side of the pair: the programs of
   /// wedged cubes may contradict themselves, and a shorter step does better.
-  [[nodiscard]] double overlap_left() const { return overlap_left_; }
+  [[nodiscard]] double overlap_left() const { return removal_.left(); }
   /// Local error of the last step as a share of the smallest side: the root mean square, over cubes
   /// that struck nothing, of what their way differs from the trapezoidal rule over their
   /// velocities, which is of third order as the error is.
@@ -38,10 +38,6 @@ class RattleStepper {
   /// The last step again, with cubes that overlap at its end stopped short on their way: for those
   /// that no step is short enough for.
   double stop_short(State& state, double t, Bookkeeping& book);
-  /// Where the cubes are at `share` of a step of `h` s from one state to the next, without overlap.
-  [[nodiscard]] State look(const State& from, const State& to, double h, double share);
-  /// Deepest overlap of a state, as a share of the smaller side of the pair.
-  double measure_overlap(const State& state);
 
   /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing
   /// tunnels.
@@ -63,40 +59,27 @@ class RattleStepper {
             const IslandSolution& straight,
             State& state,
             Bookkeeping& book);
-  IslandSolution apart(Island island,
-                       const State& state,
-                       std::span<const Twist> targets,
-                       Bookkeeping& book);
   void place_cubes(const Island& island, const IslandSolution& solution, State& state) const;
   void note_pressed(const Island& island, const IslandSolution& solution);
-  void clean_up(State& state, Bookkeeping& book);
   double arrive(State& state, double t, Bookkeeping& book);
   void hit(State& state, double t, Bookkeeping& book);
   [[nodiscard]] double closing_speed(const Contact& contact) const;
-  void retreat(State& state);
-  [[nodiscard]] BodyState between(const BodyState& from,
-                                  const BodyState& to,
-                                  double radius,
-                                  double share) const;
   void estimate_error(const State& state);
 
   const System* system_;
   IslandDynamics dynamics_;
+  OverlapRemoval removal_;
   ClosedContacts closed_;
-  NearContacts near_;
   ContactFinder finder_;
   Scales scales_;
-  double overlap_left_ = 0.0;
   double error_ = 0.0;
   double h_ = 0.0;          ///< s, of the step
   State start_;             ///< of the step
   State predicted_;         ///< where free flight would lead
   std::vector<Box> boxes_;  ///< where it is being looked at
   std::vector<Contact> contacts_;
-  std::vector<Contact> overlapping_;
   std::vector<Pressed> pressed_;
   std::vector<Island> islands_;
-  std::vector<SideUse> use_;
 };
 
 }  // namespace wuerfel

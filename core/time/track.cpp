@@ -17,23 +17,12 @@ constexpr long most_events_and_cubes = 300;
 /// With `--integrator event`: beyond this the motion would not get on.
 constexpr long most_events_ever = 1000;
 constexpr int most_patience = 32;
-/// Steps per frame at first where the user did not choose them; one at least.
-constexpr double steps_per_frame = 2.0;
-/// Steps of second order have the root of the tolerance as their local error; in crowds, which
-/// forget where they come from within a few impacts, so many times that. They are halved where it
-/// is more, where energy rises by more than this share of what the group has in motion, or where
-/// overlap beyond this share of a side is left, but not below a sixteenth; what still overlaps then
-/// stops short. They are doubled where error
-/// and rise would be fine at twice the length.
-constexpr double rise_share = 1e-4;
-constexpr double overlap_share = 2e-10;
-constexpr double shortest_share = 1.0 / 16.0;
-constexpr double crowd_error = 20.0;
-constexpr double doubled_error = 0.1;
-constexpr double doubled_rise = 0.2;
-/// Steps shorter than this share of L / V are not taken: velocities are read off differences of
-/// positions, which have no digits then.
-constexpr double same_time = 1e-7;
+/// Beyond so many cubes a group that was handed over goes back only to be found at rest: the linear
+/// algebra of one smooth phase costs as much as many steps.
+constexpr int most_event_cubes = 100;
+/// Where the user did not choose a step: the first one and the longest, in frames.
+constexpr double first_step = 0.5;
+constexpr double longest_step = 8.0;
 /// Touching after stepping: gaps of contacts under load have been closed to rounding.
 constexpr double touching_share = 1e-9;
 /// Share of V below which a group that was stepped is at rest where its forces balance.
@@ -45,9 +34,13 @@ constexpr int looks_per_piece = 4;
 Track::Track(const System& system, const MotionSettings& settings)
     : system_(&system), settings_(settings), events_(system, settings) {}
 
-RattleStepper& Track::stepper() {
-  if (!stepper_) stepper_ = std::make_unique<RattleStepper>(*system_, settings_);
-  return *stepper_;
+void Track::begin_steps(const State& state, double t) {
+  if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_);
+  const bool always = settings_.integrator == Integrator::rattle;
+  steps_->begin(state, always ? settings_.step : first_step * frame(),
+                always ? settings_.step : longest_step * frame());
+  stepping_ = true;
+  clock_ = t;
 }
 
 void Track::start(const State& state,
@@ -69,13 +62,8 @@ void Track::start(const State& state,
   const bool always = settings_.integrator == Integrator::rattle;
   if (events_.at_rest()) return;
   if (!(always || events_.wedged() || stepping.until > t)) return;
-  stepping_ = true;
-  clock_ = t;
-  state_ = events_.state();
-  ceiling_ = energy(*system_, state_);
+  begin_steps(events_.state(), t);
   until_ = always ? std::numeric_limits<double>::infinity() : std::max(stepping.until, t + frame());
-  longest_ = always ? settings_.step : frame();
-  step_ = always ? settings_.step : longest_ / steps_per_frame;
 }
 
 Track::Stepping Track::stepping() const {
@@ -87,6 +75,8 @@ Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
 }
 
 double Track::clock() const { return stepping_ ? clock_ : events_.clock(); }
+
+const State& Track::state() const { return stepping_ ? steps_->state() : events_.state(); }
 
 const std::vector<char>& Track::resting() const { return events_.resting(); }
 
@@ -102,9 +92,7 @@ void Track::advance(double limit) {
   const Audit before = book_.audit;
   book_.audit.max_overlap = 0.0;
   events_.advance(limit, pieces_, book_);
-  const bool unsure = book_.audit.searches_given_up > before.searches_given_up;
-  if (book_.audit.max_overlap > overlap_share
-      || (unsure && stepper().measure_overlap(events_.state()) > overlap_share)) {
+  if (leaves_overlap(before)) {
     // An event was missed. Stepping does not need to know of it.
     const long given_up = book_.audit.searches_given_up;
     book_.audit = before;
@@ -116,6 +104,14 @@ void Track::advance(double limit) {
   }
   book_.audit.max_overlap = std::max(book_.audit.max_overlap, before.max_overlap);
   consider_events();
+}
+
+/// Whether the events left overlap: at the last one, or where a search could not be sure.
+bool Track::leaves_overlap(const Audit& before) {
+  if (book_.audit.max_overlap > overlap_share) return true;
+  if (book_.audit.searches_given_up == before.searches_given_up) return false;
+  finder_.find(*system_, events_.state(), contacts_, 0.0);
+  return finder_.deepest().depth > overlap_share * finder_.deepest().scale;
 }
 
 double Track::frame() const { return scales_.time / frames_per_time; }
@@ -146,114 +142,57 @@ long Track::affordable_events() const {
 }
 
 void Track::hand_over(const State& state, double t) {
-  clock_ = t;
-  state_ = state;
-  ceiling_ = energy(*system_, state_);
+  begin_steps(state, t);
   // Soon after the last time: longer. After a long time without: as at first.
   if (clock_ - handed_back_ > most_patience * frame()) patience_ = 1;
   until_ = (std::floor(clock_ / frame()) + 1.0 + patience_) * frame();
   patience_ = std::min(2 * patience_, most_patience);
-  longest_ = frame();
-  step_ = longest_ / steps_per_frame;
-  stepping_ = true;
   ++book_.cost.hand_overs;
 }
 
 void Track::step(double limit) {
-  const double end = std::min(limit, until_);
-  if (end - clock_ < same_time * scales_.time) {
-    clock_ = end;
-    if (clock_ >= until_) go_on_or_hand_back();
-    return;
-  }
-  RattleStepper& stepper = this->stepper();
-  const double whole = std::min({step_, stepper.longest_step(state_), end - clock_});
-  double h = end - clock_ - whole < same_time * scales_.time ? end - clock_ : whole;
-  const double shortest = h * shortest_share;
-  const double bearable =
-      rise_share * (kinetic_energy(*system_, state_) + scales_.weight * scales_.length);
-  const Bookkeeping before = book_;
-  State next = state_;
-  double rise = 0.0;
-  const bool always = settings_.integrator == Integrator::rattle;
-  const double allowed = (always ? 1.0 : crowd_error) * std::sqrt(settings_.tolerance);
-  const auto undo = [&] {
-    const Cost cost = book_.cost;
-    book_ = before;
-    book_.cost = cost;
-  };
-  while (true) {
-    next = state_;
-    rise = stepper.step(next, clock_, h, book_);
-    const bool clean = stepper.overlap_left() <= overlap_share;
-    const bool exact = stepper.error() <= allowed && rise <= bearable;
-    if (clean && (exact || h <= shortest)) break;
-    undo();
-    if (h <= shortest) {
-      rise = stepper.stop_short(next, clock_, book_);
-      ++book_.audit.unresolved;
-      break;
-    }
-    h *= 0.5;
-  }
-  if (whole == step_) {
-    const bool easy = stepper.error() <= doubled_error * allowed && rise <= doubled_rise * bearable;
-    step_ = std::clamp(h == whole && easy ? 2.0 * h : h, shortest_share * longest_, longest_);
-  }
-  for (std::size_t k = before.events.size(); k < book_.events.size(); ++k)
-    ceiling_ -= book_.events[k].loss;
-  bring_down(next);
-  pieces_.push_back({MotionPiece::Kind::stepped, clock_, h, state_, {}, {}});
-  state_ = std::move(next);
-  clock_ = h == end - clock_ ? end : clock_ + h;
-  count_events(clock_, static_cast<long>(book_.events.size() - before.events.size()));
+  const std::size_t logged = book_.events.size();
+  const State start = steps_->state();
+  const double end = steps_->advance(clock_, std::min(limit, until_), book_);
+  pieces_.push_back({MotionPiece::Kind::stepped, clock_, end - clock_, start, {}, {}});
+  clock_ = end;
+  count_events(clock_, static_cast<long>(book_.events.size() - logged));
   if (clock_ >= until_) go_on_or_hand_back();
 }
 
-/// Energy of second order steps sways about its true value. What exceeds that of the beginning less
-/// what impacts have taken is removed from the velocities: J v >= 0 is true of a share of v, too.
-void Track::bring_down(State& state) const {
-  const double excess = energy(*system_, state) - ceiling_;
-  if (excess <= 0.0) return;
-  const double kinetic = kinetic_energy(*system_, state);
-  const double share = kinetic > excess ? std::sqrt(1.0 - excess / kinetic) : 0.0;
-  for (BodyState& s : state) {
-    s.velocity *= share;
-    s.spin *= share;
-  }
-}
-
+/// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
-  // Where events still crowd another frame of stepping saves the attempt.
-  if (std::max(frame_events_, former_events_) > affordable_events()) {
-    until_ = (std::round(clock_ / frame()) + 1.0) * frame();
-  } else {
+  const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
+  if (calm
+      && (system_->cubes <= most_event_cubes
+          || steps_->is_slower_than(rest_speed * scales_.speed))) {
     hand_back();
+  } else {
+    until_ = (std::round(clock_ / frame()) + longest_step) * frame();
   }
 }
 
 void Track::hand_back() {
-  stepper().close_gaps(state_);
   handed_back_ = clock_;
   last_events_ = 0;
   frame_events_ = former_events_ = 0;
   stepping_ = false;
-  events_.start(state_, clock_, {touching_share, rest_speed}, {}, book_);
+  events_.start(steps_->with_closed_gaps(), clock_, {touching_share, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }
 
 State Track::at(double t) {
-  if (t >= clock()) return stepping_ ? state_ : events_.state();
+  if (t >= clock()) return state();
   auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), t,
                                 [](double time, const MotionPiece& p) { return time < p.begin; });
-  if (piece == pieces_.begin()) return stepping_ ? state_ : events_.state();
+  if (piece == pieces_.begin()) return state();
   --piece;
   if (t <= piece->begin || piece->kind == MotionPiece::Kind::rest) return piece->start;
   if (piece->kind == MotionPiece::Kind::smooth) return events_.look(*piece, t);
   const auto next = std::next(piece);
-  if (!looker_) looker_ = std::make_unique<RattleStepper>(*system_, settings_);
-  return looker_->look(piece->start, next == pieces_.end() ? state_ : next->start, piece->length,
-                       (t - piece->begin) / piece->length);
+  if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
+  return look_->at(piece->start, next == pieces_.end() ? state() : next->start, piece->length,
+                   (t - piece->begin) / piece->length);
 }
 
 void Track::forget_before(double t) {
@@ -269,7 +208,7 @@ void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
       bounds[i].high = bounds[i].high.cwiseMax(state[i].position + reach);
     }
   };
-  add(stepping_ ? state_ : events_.state());
+  add(this->state());
   State state;
   for (auto piece = pieces_.begin(); piece != pieces_.end(); ++piece) {
     const auto next = std::next(piece);

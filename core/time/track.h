@@ -6,21 +6,24 @@
 #include <limits>
 #include <memory>
 
+#include "core/time/controlled_stepping.h"
 #include "core/time/event_motion.h"
-#include "core/time/rattle_stepper.h"
+#include "core/time/step_look.h"
 
 namespace wuerfel {
 
 /// Which of the two moves the group. Changes are decided by counts of events, never by clocks of
 /// the machine: the same scene changes at the same instants.
 ///
-///   - events are counted in frames of L / V / 20; more than 25 in one frame hand over to stepping,
-///   at
-///     once and from where the motion is,
-///   - stepping lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon; then gaps of
-///     contacts that carry load are closed and the events get their next chance.
+///   - events are counted in frames of L / V / 20; more of them in one frame than the group can
+///     afford hand over to stepping, at once and from where the motion is; so do cubes that are
+///     wedged, and an event that was missed and would leave overlap,
+///   - stepping lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon, and until
+///   impacts
+///     no longer crowd; then gaps of contacts that carry load are closed and the events get their
+///     next chance. Large groups go back only to be found at rest.
 ///
-/// With `--integrator event` only 1000 events in a frame, or cubes that are wedged, hand over.
+/// With `--integrator event` only 1000 events in a frame are too many.
 class Track {
  public:
   Track(const System& system, const MotionSettings& settings);
@@ -45,6 +48,8 @@ class Track {
   [[nodiscard]] double clock() const;
   /// One step, at most to `limit`.
   void advance(double limit);
+  /// State at the clock.
+  [[nodiscard]] const State& state() const;
   /// State at a time that is known and not forgotten; just after events.
   [[nodiscard]] State at(double t);
   void forget_before(double t);
@@ -58,32 +63,30 @@ class Track {
   void sweep(double t, std::vector<BoundingBox>& bounds) const;
 
  private:
-  RattleStepper& stepper();
+  void begin_steps(const State& state, double t);
+  [[nodiscard]] bool leaves_overlap(const Audit& before);
   [[nodiscard]] double frame() const;
   void count_events(double t, long more);
   void consider_events();
   [[nodiscard]] long affordable_events() const;
   void hand_over(const State& state, double t);
   void step(double limit);
-  void bring_down(State& state) const;
   void go_on_or_hand_back();
   void hand_back();
 
   const System* system_;
   MotionSettings settings_;
   EventMotion events_;
-  std::unique_ptr<RattleStepper> stepper_;  ///< none before the first step
-  std::unique_ptr<RattleStepper> looker_;   ///< for looks between steps
+  std::unique_ptr<ControlledStepping> steps_;  ///< none before the first step
+  std::unique_ptr<StepLook> look_;             ///< none before the first look between steps
+  ContactFinder finder_;
+  std::vector<Contact> contacts_;  ///< scratch
   Scales scales_;
   bool stepping_ = false;
   double clock_ = 0.0;  ///< s, of the stepping
-  State state_;         ///< of the stepping
   std::deque<MotionPiece> pieces_;
-  double until_ = 0.0;    ///< s, end of the stepping
-  double step_ = 0.0;     ///< s, proposed for the next step
-  double longest_ = 0.0;  ///< s, of a step
-  double ceiling_ = 0.0;  ///< J, what the energy may be
-  long frame_ = 0;        ///< number of the frame in which events are counted
+  double until_ = 0.0;  ///< s, end of the stepping
+  long frame_ = 0;      ///< number of the frame in which events are counted
   long frame_events_ = 0;
   long former_events_ = 0;  ///< of the frame before
   long last_events_ = 0;
