@@ -22,7 +22,8 @@ struct Event {
   std::string from;           ///< body it comes from
   Vec2 point = Vec2::Zero();  ///< m
   double impulse = 0.0;       ///< N s
-  double loss = 0.0;          ///< J, energy that the whole impact took; at its first contact only
+  double loss = 0.0;          ///< J, energy that the whole impact took; at one of its contacts only
+  double lost_at = 0.0;       ///< s, from when on it is missing: the end of the step, of a stepping
 };
 
 /// Invariants kept book of in every run.

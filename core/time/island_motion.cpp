@@ -98,8 +98,13 @@ void IslandMotion::advance_to(double t) {
   for (; next_event_ < computed_.events.size() && computed_.events[next_event_].t <= t;
        ++next_event_) {
     shown_.events.push_back(computed_.events[next_event_]);
-    shown_.audit.impact_loss += shown_.events.back().loss;
+    if (shown_.events.back().loss != 0.0) losses_.push_back(shown_.events.back());
   }
+  std::erase_if(losses_, [&](const Event& event) {
+    if (event.lost_at > t) return false;
+    shown_.audit.impact_loss += event.loss;
+    return true;
+  });
 }
 
 const Moment& IslandMotion::now() {

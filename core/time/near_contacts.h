@@ -21,7 +21,8 @@ class NearContacts {
   void find_towards(const State& end, double reach, std::vector<Contact>& contacts);
   /// The same pairs and sides with corners, gaps and arms as they are at `end`.
   void find_at(const State& end, double reach, std::vector<Contact>& contacts);
-  /// Boxes posed by the last search.
+  /// Boxes at the beginning, and where the last search looked.
+  [[nodiscard]] const std::vector<Box>& start_boxes() const { return start_; }
   [[nodiscard]] const std::vector<Box>& end_boxes() const { return end_; }
 
  private:

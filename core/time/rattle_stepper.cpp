@@ -90,7 +90,10 @@ double RattleStepper::arrive(State& state, double t, Bookkeeping& book) {
   hit(state, t, book);
   estimate_error(state);
   const double rise = energy(*system_, state) - energy(*system_, start_);
-  if (rise < 0.0 && book.events.size() > first_event) book.events[first_event].loss = -rise;
+  if (rise < 0.0 && book.events.size() > first_event) {
+    book.events.back().loss = -rise;
+    book.events.back().lost_at = t;
+  }
   return rise;
 }
 
@@ -241,12 +244,18 @@ void RattleStepper::hit(State& state, double t, Bookkeeping& book) {
     for (std::size_t k = 0; k < island.contacts.size(); ++k)
       blows.at(island.contacts[k].id()).impulse += solution.forces[k];
   }
+  const std::size_t first = book.events.size();
   for (const auto& [id, blow] : blows) {
-    const Contact& c = blow.contact;
-    if (blow.impulse <= 0.0 || closing_speed(c) <= impact_steps) continue;
-    book.events.push_back({t, EventKind::impact, system_->body(c.on).name,
-                           system_->body(c.from).name, c.point, blow.impulse, 0.0});
+    const Contact c = at_poses(*system_, removal_.near().start_boxes(), blow.contact);
+    const double speed = closing_speed(c);
+    if (blow.impulse <= 0.0 || speed <= impact_steps) continue;
+    // Where the gap closes at the speed of the start.
+    const double flight = std::clamp(c.gap / (speed * scales_.gravity * h_), 0.0, h_);
+    book.events.push_back({t - h_ + flight, EventKind::impact, system_->body(c.on).name,
+                           system_->body(c.from).name, blow.contact.point, blow.impulse, 0.0});
   }
+  std::stable_sort(book.events.begin() + static_cast<std::ptrdiff_t>(first), book.events.end(),
+                   [](const Event& a, const Event& b) { return a.t < b.t; });
 }
 
 void RattleStepper::close_gaps(State& state) {
