@@ -14,6 +14,8 @@ class ControlledStepping {
   /// One step from time t, at most to `end`; returns where it ends.
   double advance(double t, double end, Bookkeeping& book);
   [[nodiscard]] const State& state() const { return state_; }
+  /// Contacts that carried load in the last step.
+  [[nodiscard]] std::vector<Contact> loaded() const { return stepper_.loaded(); }
   /// Whether nothing moves faster than `speed` (m/s).
   [[nodiscard]] bool is_slower_than(double speed) const;
   /// The state with the gaps closed of contacts that carried load in the last step.

@@ -112,6 +112,7 @@ const Moment& IslandMotion::now() {
   moment_ = {};
   moment_.t = time_;
   moment_.state = state_at(time_);
+  note_loaded();
   known_ = Known::state;
   return moment_;
 }
@@ -148,6 +149,22 @@ State IslandMotion::state_at(double t) {
       state[static_cast<std::size_t>(group.cubes[k])] = part[k];
   }
   return state;
+}
+
+/// Contacts of a group, whose cubes are numbered among themselves, in the numbers of all bodies.
+void IslandMotion::note_loaded() {
+  for (const Group& group : groups_) {
+    const int cubes = static_cast<int>(group.cubes.size());
+    const auto of_all = [&](int body) {
+      return body < cubes ? group.cubes[static_cast<std::size_t>(body)]
+                          : body - cubes + system_->cubes;
+    };
+    for (Contact c : group.track->loaded_at(time_)) {
+      c.on = of_all(c.on);
+      c.from = of_all(c.from);
+      moment_.loaded.push_back(c);
+    }
+  }
 }
 
 /// Bounds of what the cubes may sweep within `length` s.

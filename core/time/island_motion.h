@@ -36,6 +36,7 @@ class IslandMotion final : public Motion {
   void begin_window();
   void move_groups();
   [[nodiscard]] State state_at(double t);
+  void note_loaded();
   void predict(const State& state, double length);
   void partition(std::vector<std::vector<int>>& parts);
   void regroup(const State& state, const std::vector<std::vector<int>>& parts);

@@ -15,7 +15,10 @@ struct Moment {
       solutions;  ///< accelerations, one per island; without twists until asked for
   std::vector<Twist> accelerations;  ///< one per cube; empty until asked for
   std::vector<char> resting;         ///< per cube: certified, v = 0 and a = 0
-  std::vector<ContactId> lasting;    ///< contacts of a step ago, sorted: no new impacts of theirs
+  /// What carried load in the step of a stepping in which the moment lies: it touches and rests but
+  /// roughly.
+  std::vector<Contact> loaded;
+  std::vector<ContactId> lasting;  ///< contacts of a step ago, sorted: no new impacts of theirs
 };
 
 }  // namespace wuerfel

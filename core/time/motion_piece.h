@@ -22,8 +22,9 @@ struct MotionPiece {
   double begin = 0.0;   ///< s
   double length = 0.0;  ///< s, of the polynomial; an event may have cut it short
   State start;
-  DenseStep motion;             ///< of a smooth piece
-  std::vector<Contact> closed;  ///< contacts that stay closed in a smooth piece
+  DenseStep motion;  ///< of a smooth piece
+  /// Contacts that stay closed in a smooth piece, or carry load in a stepped one.
+  std::vector<Contact> closed;
 };
 
 /// State at a share of a step, not yet projected. `state` must have the right number of cubes.

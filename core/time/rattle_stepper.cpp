@@ -258,6 +258,16 @@ void RattleStepper::hit(State& state, double t, Bookkeeping& book) {
                    [](const Event& a, const Event& b) { return a.t < b.t; });
 }
 
+std::vector<Contact> RattleStepper::loaded() const {
+  std::vector<Contact> loaded;
+  for (const Pressed& p : pressed_) {
+    const Contact now = at_poses(*system_, finder_.boxes(), p.contact);
+    if (p.impulse > 0.0 && std::abs(now.gap) < pressed_share * contact_scale(*system_, now))
+      loaded.push_back(now);
+  }
+  return loaded;
+}
+
 void RattleStepper::close_gaps(State& state) {
   pose_boxes(*system_, state, boxes_);
   contacts_.clear();

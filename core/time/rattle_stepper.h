@@ -43,6 +43,8 @@ class RattleStepper {
   /// tunnels.
   [[nodiscard]] double longest_step(const State& state) const;
 
+  /// Contacts that carried load in the last step and are still near.
+  [[nodiscard]] std::vector<Contact> loaded() const;
   /// Closes gaps of contacts that carried load in the last step, so that what leans on each other
   /// touches. Leaves the state as it is where that is not possible.
   void close_gaps(State& state);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/model/points.h"
 
@@ -78,8 +79,27 @@ void Stepper::observe(Moment& moment, Bookkeeping& book) {
   std::vector<Contact> contacts;
   finder_.find(*system_, moment.state, contacts);
   note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
+  std::set<ContactId> known;
+  for (const Contact& c : contacts)
+    known.insert(c.id());
+  for (const Contact& c : moment.loaded) {
+    if (known.insert(c.id()).second) contacts.push_back(at_poses(*system_, finder_.boxes(), c));
+  }
   find_islands(*system_, contacts, moment.islands);
   moment.solutions.assign(moment.islands.size(), {});
+}
+
+/// Accelerations under the contacts that do not open, or that carry load between steps.
+IslandSolution Stepper::accelerate_island(const Moment& moment, const Island& island) {
+  if (moment.loaded.empty()) return dynamics_.accelerations(moment.state, island);
+  std::vector<SideUse> use;
+  for (const Contact& c : island.contacts) {
+    const bool holds =
+        contact_motion(*system_, moment.state, c) != ContactMotion::opening
+        || std::ranges::any_of(moment.loaded, [&](const Contact& d) { return d.id() == c.id(); });
+    use.push_back(holds ? SideUse::inequality : SideUse::none);
+  }
+  return dynamics_.accelerations(moment.state, island, use);
 }
 
 void Stepper::arrive(Moment& moment, Bookkeeping& book) {
@@ -167,7 +187,7 @@ void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
       ++book.cost.skipped_rest;
       continue;
     }
-    solution = dynamics_.accelerations(moment.state, island);
+    solution = accelerate_island(moment, island);
     keep_book(solution, book);
     const double g = system_->gravity.norm();
     const bool rests = settings_.skips.rest && is_still(island, moment.state)

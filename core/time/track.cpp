@@ -154,7 +154,8 @@ void Track::step(double limit) {
   const std::size_t logged = book_.events.size();
   const State start = steps_->state();
   const double end = steps_->advance(clock_, std::min(limit, until_), book_);
-  pieces_.push_back({MotionPiece::Kind::stepped, clock_, end - clock_, start, {}, {}});
+  pieces_.push_back(
+      {MotionPiece::Kind::stepped, clock_, end - clock_, start, {}, steps_->loaded()});
   clock_ = end;
   count_events(clock_, static_cast<long>(book_.events.size() - logged));
   if (clock_ >= until_) go_on_or_hand_back();
@@ -181,18 +182,32 @@ void Track::hand_back() {
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }
 
+/// Number of the piece in which a time lies; -1 at the clock, and where it is not known.
+std::ptrdiff_t Track::piece_at(double t) const {
+  if (t >= clock()) return -1;
+  const auto after =
+      std::upper_bound(pieces_.begin(), pieces_.end(), t,
+                       [](double time, const MotionPiece& p) { return time < p.begin; });
+  return after - pieces_.begin() - 1;
+}
+
+std::vector<Contact> Track::loaded_at(double t) const {
+  const std::ptrdiff_t k = piece_at(t);
+  if (k < 0) return stepping_ && !pieces_.empty() ? pieces_.back().closed : std::vector<Contact>{};
+  const MotionPiece& piece = pieces_[static_cast<std::size_t>(k)];
+  return piece.kind == MotionPiece::Kind::stepped ? piece.closed : std::vector<Contact>{};
+}
+
 State Track::at(double t) {
-  if (t >= clock()) return state();
-  auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), t,
-                                [](double time, const MotionPiece& p) { return time < p.begin; });
-  if (piece == pieces_.begin()) return state();
-  --piece;
-  if (t <= piece->begin || piece->kind == MotionPiece::Kind::rest) return piece->start;
-  if (piece->kind == MotionPiece::Kind::smooth) return events_.look(*piece, t);
-  const auto next = std::next(piece);
+  const std::ptrdiff_t k = piece_at(t);
+  if (k < 0) return state();
+  const auto at = static_cast<std::size_t>(k);
+  const MotionPiece& piece = pieces_[at];
+  if (t <= piece.begin || piece.kind == MotionPiece::Kind::rest) return piece.start;
+  if (piece.kind == MotionPiece::Kind::smooth) return events_.look(piece, t);
   if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
-  return look_->at(piece->start, next == pieces_.end() ? state() : next->start, piece->length,
-                   (t - piece->begin) / piece->length);
+  const State& next = at + 1 < pieces_.size() ? pieces_[at + 1].start : state();
+  return look_->at(piece.start, next, piece.length, (t - piece.begin) / piece.length);
 }
 
 void Track::forget_before(double t) {

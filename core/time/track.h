@@ -52,6 +52,8 @@ class Track {
   [[nodiscard]] const State& state() const;
   /// State at a time that is known and not forgotten; just after events.
   [[nodiscard]] State at(double t);
+  /// Contacts that carried load in the step of a stepping in which such a time lies.
+  [[nodiscard]] std::vector<Contact> loaded_at(double t) const;
   void forget_before(double t);
 
   [[nodiscard]] bool at_rest() const { return !stepping_ && events_.at_rest(); }
@@ -63,6 +65,7 @@ class Track {
   void sweep(double t, std::vector<BoundingBox>& bounds) const;
 
  private:
+  [[nodiscard]] std::ptrdiff_t piece_at(double t) const;
   void begin_steps(const State& state, double t);
   [[nodiscard]] bool leaves_overlap(const Audit& before);
   [[nodiscard]] double frame() const;
