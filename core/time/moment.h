@@ -14,7 +14,8 @@ struct Moment {
   std::vector<IslandSolution>
       solutions;  ///< accelerations, one per island; without twists until asked for
   std::vector<Twist> accelerations;  ///< one per cube; empty until asked for
-  std::vector<char> resting;         ///< per cube: certified, v = 0 and a = 0
+  State felt;  ///< what they were found for: `state`, but for velocities that do not count
+  std::vector<char> resting;  ///< per cube: certified, v = 0 and a = 0
   /// What carried load in the step of a stepping in which the moment lies: it touches and rests but
   /// roughly.
   std::vector<Contact> loaded;

@@ -258,12 +258,17 @@ void RattleStepper::hit(State& state, double t, Bookkeeping& book) {
                    [](const Event& a, const Event& b) { return a.t < b.t; });
 }
 
+bool RattleStepper::is_near(const Contact& c, double share) const {
+  const bool on_side =
+      system_->body(c.from).kind == BodyKind::plane || (c.alpha >= 0.0 && c.alpha <= 1.0);
+  return on_side && std::abs(c.gap) < share * contact_scale(*system_, c);
+}
+
 std::vector<Contact> RattleStepper::loaded() const {
   std::vector<Contact> loaded;
   for (const Pressed& p : pressed_) {
     const Contact now = at_poses(*system_, finder_.boxes(), p.contact);
-    if (p.impulse > 0.0 && std::abs(now.gap) < pressed_share * contact_scale(*system_, now))
-      loaded.push_back(now);
+    if (p.impulse > 0.0 && is_near(now, pressed_share)) loaded.push_back(now);
   }
   return loaded;
 }
@@ -273,10 +278,7 @@ void RattleStepper::close_gaps(State& state) {
   contacts_.clear();
   for (const Pressed& p : pressed_) {
     const Contact now = at_poses(*system_, boxes_, p.contact);
-    const bool on_side =
-        system_->body(now.from).kind == BodyKind::plane || (now.alpha >= 0.0 && now.alpha <= 1.0);
-    if (on_side && std::abs(now.gap) < closable_share * contact_scale(*system_, now))
-      contacts_.push_back(now);
+    if (is_near(now, closable_share)) contacts_.push_back(now);
   }
   closed_.close(contacts_, {});
   State next = state;

@@ -67,6 +67,7 @@ class RattleStepper {
   void hit(State& state, double t, Bookkeeping& book);
   [[nodiscard]] double closing_speed(const Contact& contact) const;
   void estimate_error(const State& state);
+  [[nodiscard]] bool is_near(const Contact& contact, double share) const;
 
   const System* system_;
   IslandDynamics dynamics_;

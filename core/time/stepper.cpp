@@ -89,17 +89,25 @@ void Stepper::observe(Moment& moment, Bookkeeping& book) {
   moment.solutions.assign(moment.islands.size(), {});
 }
 
-/// Accelerations under the contacts that do not open, or that carry load between steps.
-IslandSolution Stepper::accelerate_island(const Moment& moment, const Island& island) {
-  if (moment.loaded.empty()) return dynamics_.accelerations(moment.state, island);
+/// Accelerations under the contacts that do not open, or that carry load between steps. There cubes
+/// fit each other to the order of the step only, and the terms of their velocities may contradict
+/// one another: without them the forces are those that carry the weights.
+IslandSolution Stepper::accelerate_island(Moment& moment, const Island& island) {
   std::vector<SideUse> use;
+  bool between_steps = false;
   for (const Contact& c : island.contacts) {
-    const bool holds =
-        contact_motion(*system_, moment.state, c) != ContactMotion::opening
-        || std::ranges::any_of(moment.loaded, [&](const Contact& d) { return d.id() == c.id(); });
-    use.push_back(holds ? SideUse::inequality : SideUse::none);
+    const bool loaded =
+        std::ranges::any_of(moment.loaded, [&](const Contact& d) { return d.id() == c.id(); });
+    const bool opens = contact_motion(*system_, moment.state, c) == ContactMotion::opening;
+    use.push_back(opens && !loaded ? SideUse::none : SideUse::inequality);
+    between_steps = between_steps || loaded;
   }
-  return dynamics_.accelerations(moment.state, island, use);
+  for (const int cube : island.cubes) {
+    if (!between_steps) break;
+    moment.felt[static_cast<std::size_t>(cube)].velocity.setZero();
+    moment.felt[static_cast<std::size_t>(cube)].spin = 0.0;
+  }
+  return dynamics_.accelerations(moment.felt, island, use);
 }
 
 void Stepper::arrive(Moment& moment, Bookkeeping& book) {
@@ -176,6 +184,7 @@ bool Stepper::resting(const Moment& moment, const Island& island) const {
 void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
   if (!moment.accelerations.empty()) return;
   moment.accelerations.assign(static_cast<std::size_t>(system_->cubes), {system_->gravity, 0.0});
+  moment.felt = moment.state;
   book.cost.skipped_free += system_->cubes;
   for (std::size_t m = 0; m < moment.islands.size(); ++m) {
     const Island& island = moment.islands[m];

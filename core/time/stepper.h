@@ -28,7 +28,7 @@ class Stepper {
  private:
   void integrate(Moment& moment, double dt) const;
   std::vector<Contact> sweep(Moment& moment, double dt, Bookkeeping& book);
-  IslandSolution accelerate_island(const Moment& moment, const Island& island);
+  IslandSolution accelerate_island(Moment& moment, const Island& island);
   void keep_rest(Moment& moment, const Moment& before) const;
   void strike(Moment& moment, const Island& island, Bookkeeping& book);
   [[nodiscard]] std::vector<Contact> pressed_contacts(const Moment& moment) const;

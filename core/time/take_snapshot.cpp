@@ -131,7 +131,7 @@ Snapshot take_snapshot(const Scene& scene,
       std::vector<Twist> accelerations;
       for (const int cube : island.cubes)
         accelerations.push_back(moment.accelerations[static_cast<std::size_t>(cube)]);
-      forces = canonical_forces(system, moment.state, island, accelerations, moment.solutions[m],
+      forces = canonical_forces(system, moment.felt, island, accelerations, moment.solutions[m],
                                 Uniqueness::ignored)
                    .force;
     }
