@@ -51,7 +51,9 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   }
   for (std::size_t k = logged; k < book.events.size(); ++k)
     ceiling_ -= book.events[k].loss;
-  bring_down(next);
+  // Energy of second order steps sways about its true value: it may come back to that of the
+  // beginning less what impacts have taken, and no further.
+  bring_down(*system_, ceiling_, next);
   state_ = std::move(next);
   return h == end - t ? end : t + h;
 }
@@ -77,19 +79,6 @@ double ControlledStepping::take_step(State& next, double t, double h, Bookkeepin
       return h;
     }
     h *= 0.5;
-  }
-}
-
-/// Energy of second order steps sways about its true value. What exceeds that of the beginning less
-/// what impacts have taken is removed from the velocities: J v >= 0 is true of a share of v, too.
-void ControlledStepping::bring_down(State& state) const {
-  const double excess = energy(*system_, state) - ceiling_;
-  if (excess <= 0.0) return;
-  const double kinetic = kinetic_energy(*system_, state);
-  const double share = kinetic > excess ? std::sqrt(1.0 - excess / kinetic) : 0.0;
-  for (BodyState& s : state) {
-    s.velocity *= share;
-    s.spin *= share;
   }
 }
 

@@ -23,7 +23,6 @@ class ControlledStepping {
 
  private:
   double take_step(State& next, double t, double h, Bookkeeping& book);
-  void bring_down(State& state) const;
 
   const System* system_;
   RattleStepper stepper_;

@@ -1,6 +1,7 @@
 #include "core/time/step_look.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wuerfel {
 namespace {
@@ -53,6 +54,17 @@ BodyState between(const BodyState& from,
 
 }  // namespace
 
+void bring_down(const System& system, double ceiling, State& state) {
+  const double excess = energy(system, state) - ceiling;
+  if (excess <= 0.0) return;
+  const double kinetic = kinetic_energy(system, state);
+  const double share = kinetic > excess ? std::sqrt(1.0 - excess / kinetic) : 0.0;
+  for (BodyState& s : state) {
+    s.velocity *= share;
+    s.spin *= share;
+  }
+}
+
 State StepLook::at(const State& from, const State& to, double h, double share) {
   removal_.begin(from, h);
   const double rough = rough_steps * scales_of(*system_, from).gravity * h;
@@ -65,6 +77,7 @@ State StepLook::at(const State& from, const State& to, double h, double share) {
   std::vector<Contact> pushing;
   removal_.clean_up(state, pushing, aside);
   if (removal_.left() > overlap_share) removal_.retreat(state);
+  bring_down(*system_, std::max(energy(*system_, from), energy(*system_, to)), state);
   return state;
 }
 

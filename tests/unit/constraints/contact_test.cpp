@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/constraints/manifold.h"
+
 namespace wuerfel::test {
 namespace {
 
@@ -185,6 +187,24 @@ TEST(Contact, MotionOfTheGapIsClosingRestingOrOpening) {
     scene.cubes[0].velocity = {0.0, vy};
     EXPECT_EQ(contact_motion(system, initial_state(scene), found.contacts[0]), expected) << vy;
   }
+}
+
+TEST(SeparatingSide, IsTheOneWhoseGapClosesLast) {
+  // A square flies towards another from the upper right, so that it meets the right side first by
+  // its line and last by its length: it lands beside it, not on it.
+  const Box still = make_box({0.0, 0.0}, 0.0, {1.0, 1.0});
+  const auto side = [&](const Vec2& from, const Vec2& to) {
+    const std::vector<Box> start = {still, make_box(from, 0.0, {1.0, 1.0})};
+    const std::vector<Box> end = {still, make_box(to, 0.0, {1.0, 1.0})};
+    const FacingSide found = separating_side(start, end, 0, 1);
+    const Box& box = (found.from == 0 ? start : end)[static_cast<std::size_t>(found.from)];
+    return Vec2(found.from == 0 ? box.normal(found.side) : Vec2(-box.normal(found.side)));
+  };
+  // Above by 0.1 and beside by 0.3 at first; the wider gap closes last.
+  EXPECT_EQ(side({1.3, 1.1}, {0.9, 0.9}), Vec2::UnitX());
+  EXPECT_EQ(side({1.1, 1.3}, {0.9, 0.9}), Vec2::UnitY());
+  // The nearer gap stays: it is the one that separates all the way.
+  EXPECT_EQ(side({1.01, 1.3}, {1.01, 0.5}), Vec2::UnitX());
 }
 
 }  // namespace

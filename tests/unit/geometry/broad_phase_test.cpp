@@ -47,5 +47,22 @@ TEST(BroadPhase, FindsTouchingCellsOfAGridAndStacksAllTheSame) {
   EXPECT_EQ(broad_phase.overlapping_pairs(same).size(), 4950U);
 }
 
+TEST(BroadPhase, FindsTheSamePairsWhileBoundsMoveOnAndJump) {
+  // Small movements are answered from remembered pairs, large ones are not.
+  BroadPhase broad_phase;
+  RandomNumbers random(7);
+  std::vector<BoundingBox> bounds = random_bounds(11, 200, 3.0);
+  for (int step = 0; step < 200; ++step) {
+    const double reach = step % 20 == 19 ? 1.0 : 0.004;
+    for (BoundingBox& b : bounds) {
+      const Vec2 move = reach * random.next_vec2();
+      b = {b.low + move, b.high + move};
+    }
+    EXPECT_EQ(broad_phase.overlapping_pairs(bounds), overlapping_pairs_brute_force(bounds)) << step;
+  }
+  bounds.pop_back();
+  EXPECT_EQ(broad_phase.overlapping_pairs(bounds), overlapping_pairs_brute_force(bounds));
+}
+
 }  // namespace
 }  // namespace wuerfel::test
