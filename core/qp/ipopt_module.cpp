@@ -187,6 +187,10 @@ void set_referee_options(Ipopt::OptionsList& options) {
   options.SetIntegerValue("max_iter", 200);
 }
 
+/// Where the barrier starts: Ipopt's default, and farther away.
+constexpr double usual_start = 0.1;
+constexpr double far_start = 1e3;
+
 class Session final : public IpoptSession {
  public:
   bool start() {
@@ -196,8 +200,10 @@ class Session final : public IpoptSession {
   }
 
   bool solve(const IpoptProgram& program, IpoptBarrier barrier, IpoptPoint& point) override {
-    const bool monotone = barrier == IpoptBarrier::monotone;
-    application_->Options()->SetStringValue("mu_strategy", monotone ? "monotone" : "adaptive");
+    const bool adaptive = barrier == IpoptBarrier::adaptive;
+    application_->Options()->SetStringValue("mu_strategy", adaptive ? "adaptive" : "monotone");
+    application_->Options()->SetNumericValue(
+        "mu_init", barrier == IpoptBarrier::far ? far_start : usual_start);
     Ipopt::SmartPtr<ElasticProgram> problem = new ElasticProgram(program, point);
     application_->OptimizeTNLP(Ipopt::SmartPtr<Ipopt::TNLP>(GetRawPtr(problem)));
     if (IsValid(application_->Statistics()))

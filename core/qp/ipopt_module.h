@@ -28,8 +28,8 @@ struct IpoptPoint {
   bool infeasible = false;  ///< Ipopt ended at the least violation of the rows
 };
 
-/// How the barrier parameter falls.
-enum class IpoptBarrier { monotone, adaptive };
+/// How the barrier parameter falls: from Ipopt's start, or from farther away.
+enum class IpoptBarrier { monotone, adaptive, far };
 
 /// What ipopt_module_open returns; one per solver object.
 class IpoptSession {

@@ -74,8 +74,10 @@ void IpoptSolver::solve_checked(const QuadraticProgram& program, QpResult& resul
     return;
   }
   const ScaledProgram form = scaled(program);
-  // Degenerate programs defeat now the one, now the other way to lower the barrier.
-  for (const IpoptBarrier barrier : {IpoptBarrier::monotone, IpoptBarrier::adaptive}) {
+  // Degenerate programs defeat now the one, now the other way to lower the barrier; which of them
+  // depends on the last bits of the BLAS that Ipopt finds.
+  for (const IpoptBarrier barrier :
+       {IpoptBarrier::monotone, IpoptBarrier::adaptive, IpoptBarrier::far}) {
     ElasticForm elastic(program, form);
     elastic.solve(*session_, barrier);
     elastic.read(program, result);
