@@ -22,7 +22,7 @@ constexpr double nearest_share = 1e-7;
 constexpr double farthest_share = 1e-2;
 /// Displacements beyond this share of the smallest side, and beyond so many times the overlap, are
 /// no clean-up any more.
-constexpr double displaced_share = 2e-2;
+constexpr double displaced_share = 1e-2;
 constexpr double displaced_times = 100.0;
 constexpr int most_halvings = 50;
 
@@ -59,8 +59,8 @@ IslandSolution OverlapRemoval::apart(Island island,
     c.gap -= margin(c);
   IslandSolution solution = dynamics_.correction(state, island, use_, targets);
   ++book.cost.qp_solves;
-  if (solution.status != QpStatus::infeasible) return solution;
-  // No room for the margin, perhaps.
+  if (solution.status == QpStatus::optimal) return solution;
+  // No room for the margin, perhaps: cubes that fit exactly between others.
   for (Contact& c : island.contacts)
     c.gap += margin(c);
   ++book.cost.qp_solves;
