@@ -22,10 +22,11 @@ ExitCode verdict_on_accuracy(const Audit& audit) {
     return ExitCode::undecided;
   }
   if (audit.unresolved > 0) {
-    fmt::print(stderr,
-               "wuerfel: events could not be told apart {} times; the result is there but over the "
-               "error budget (try --integrator auto or rattle)\n",
-               audit.unresolved);
+    fmt::print(
+        stderr,
+        "wuerfel: {} times events could not be told apart, or wedged bodies had to stop short; "
+        "the result is there but over the error budget\n",
+        audit.unresolved);
     return ExitCode::undecided;
   }
   if (audit.max_overlap > promised_overlap) {
