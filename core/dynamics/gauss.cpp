@@ -190,10 +190,12 @@ IslandSolution IslandDynamics::impact(const State& state, const Island& island) 
   return solve(state, island, impacts_);
 }
 
-IslandSolution IslandDynamics::tangential_velocities(const State& state, const Island& island) {
-  use_.assign(island.contacts.size(), SideUse::equality);
+IslandSolution IslandDynamics::velocities(const State& state,
+                                          const Island& island,
+                                          std::span<const SideUse> use) {
+  use_.assign(use.begin(), use.end());
   builder_.velocity(state, island, use_);
-  return solve(state, island, tangential_);
+  return solve(state, island, velocities_);
 }
 
 IslandSolution IslandDynamics::correction(const State& state,

@@ -47,8 +47,9 @@ class IslandDynamics {
                                std::span<const SideUse> use);
   /// Velocities after all contacts of the island have hit at once, and their impulses.
   IslandSolution impact(const State& state, const Island& island);
-  /// Velocities nearest to those of `state` with the gap rates of all contacts zero.
-  IslandSolution tangential_velocities(const State& state, const Island& island);
+  /// Velocities nearest to those of `state` with gap rates that are zero where `use` says equality
+  /// and not negative where it says inequality.
+  IslandSolution velocities(const State& state, const Island& island, std::span<const SideUse> use);
   /// Displacements (m, rad), to first order, that make gaps zero where `use` says equality and not
   /// negative where it says inequality; nearest to `targets` (one per cube of the island), or to
   /// zero.
@@ -89,7 +90,7 @@ class IslandDynamics {
   std::vector<SideUse> use_;
   Memories accelerations_;
   Memories impacts_;
-  Memories tangential_;
+  Memories velocities_;
   Memories corrections_;
   Memories placements_;
 };

@@ -37,11 +37,7 @@ bool all_rest(const Island& island, const std::vector<char>& resting) {
 }  // namespace
 
 ContactLaw::ContactLaw(const System& system, const MotionSettings& settings)
-    : system_(&system),
-      skips_(settings.skips),
-      method_(settings.solver),
-      dynamics_(system, settings),
-      builder_(system, Formulation::rigid) {}
+    : system_(&system), skips_(settings.skips), dynamics_(system, settings) {}
 
 void ContactLaw::apply(
     State& state, double t, const ContactLimits& limits, Closure& closure, Bookkeeping& book) {
@@ -292,14 +288,9 @@ void ContactLaw::settle_on_closed(Island& island, State& state, Bookkeeping& boo
     }
   }
   if (!moving) return;
-  builder_.velocity(state, island, closed_);
-  if (!solver_) solver_ = make_qp_solver(method_);
-  QpResult result;
-  solver_->forget();
-  solver_->solve(builder_.program(), result);
+  const IslandSolution moved = dynamics_.velocities(state, island, closed_);
   ++book.cost.qp_solves;
-  if (result.status == QpStatus::optimal)
-    set_velocities(island, builder_.twists(state, island, result.x), state);
+  if (moved.status == QpStatus::optimal) set_velocities(island, moved.twists, state);
 }
 
 /// Contacts of an island whose cubes have been moved.

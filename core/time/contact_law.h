@@ -1,7 +1,6 @@
 /// What happens at an event: what touches, who hits whom, and which contacts are closed afterwards.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/dynamics/gauss.h"
@@ -60,7 +59,6 @@ class ContactLaw {
 
   const System* system_;
   Skips skips_;
-  QpMethod method_;
   IslandDynamics dynamics_;
   ContactFinder finder_;
   Scales scales_;
@@ -70,8 +68,6 @@ class ContactLaw {
   std::vector<Island> islands_;
   std::vector<SideUse> use_;
   std::vector<SideUse> closed_;  ///< per contact of an island: equality where it stays closed
-  ProgramBuilder builder_;       ///< always in the rigid form
-  std::unique_ptr<QpSolver> solver_;
 };
 
 }  // namespace wuerfel

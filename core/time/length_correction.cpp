@@ -89,7 +89,8 @@ void LengthCorrection::correct_velocities(State& state,
       return contact_motion(*system_, state, c) == ContactMotion::resting;
     });
     if (still) continue;
-    const IslandSolution solution = dynamics_.tangential_velocities(state, island);
+    const std::vector<SideUse> along(island.contacts.size(), SideUse::equality);
+    const IslandSolution solution = dynamics_.velocities(state, island, along);
     keep_book(solution, book);
     set_velocities(island, solution.twists, state);
   }
