@@ -60,24 +60,31 @@ void NearContacts::add_planes(double reach,
                               const std::vector<Box>& measured,
                               std::vector<Contact>& contacts) const {
   for (int p = 0; p < system_->count(); ++p) {
-    const Body& plane = system_->body(p);
-    if (plane.kind != BodyKind::plane) continue;
-    for (int i = 0; i < system_->cubes; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const double near = reach * start_[at].smaller_side();
-      for (int k = 0; k < 4; ++k) {
-        const auto gap = [&](const Box& box) {
-          return plane.normal.dot((box.center - plane.point)
-                                  + box.arm[static_cast<std::size_t>(k)]);
-        };
-        if (gap(start_[at]) >= near && gap(end_[at]) >= near) continue;
-        Contact c;
-        c.on = i;
-        c.from = p;
-        c.corner = k;
-        contacts.push_back(at_poses(*system_, measured, c));
-      }
-    }
+    if (system_->body(p).kind != BodyKind::plane) continue;
+    for (int i = 0; i < system_->cubes; ++i)
+      add_corners(i, p, reach, measured, contacts);
+  }
+}
+
+/// Corners of a cube that come near to a plane.
+void NearContacts::add_corners(int cube,
+                               int plane,
+                               double reach,
+                               const std::vector<Box>& measured,
+                               std::vector<Contact>& contacts) const {
+  const auto at = static_cast<std::size_t>(cube);
+  const Body& solid = system_->body(plane);
+  const double near = reach * start_[at].smaller_side();
+  for (int k = 0; k < 4; ++k) {
+    const auto gap = [&](const Box& box) {
+      return solid.normal.dot((box.center - solid.point) + box.arm[static_cast<std::size_t>(k)]);
+    };
+    if (gap(start_[at]) >= near && gap(end_[at]) >= near) continue;
+    Contact c;
+    c.on = cube;
+    c.from = plane;
+    c.corner = k;
+    contacts.push_back(at_poses(*system_, measured, c));
   }
 }
 

@@ -33,6 +33,11 @@ class NearContacts {
   void add_planes(double reach,
                   const std::vector<Box>& measured,
                   std::vector<Contact>& contacts) const;
+  void add_corners(int cube,
+                   int plane,
+                   double reach,
+                   const std::vector<Box>& measured,
+                   std::vector<Contact>& contacts) const;
 
   const System* system_;
   double step_ = 0.0;         ///< s

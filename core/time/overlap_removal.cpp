@@ -98,22 +98,28 @@ void OverlapRemoval::clean_up(State& state, std::vector<Contact>& pushing, Bookk
   }
 }
 
+/// Per cube: whether it overlaps another body, by the last measurement.
+std::vector<char> OverlapRemoval::overlapping_cubes() const {
+  std::vector<char> overlaps(static_cast<std::size_t>(system_->cubes), 0);
+  for (const Contact& c : overlapping_) {
+    for (const int body : {c.on, c.from}) {
+      if (system_->is_cube(body)) overlaps[static_cast<std::size_t>(body)] = 1;
+    }
+  }
+  return overlaps;
+}
+
 void OverlapRemoval::retreat(State& state) {
   for (int k = 1; k <= most_halvings; ++k) {
     left_ = measure(state);
     if (left_ <= overlap_share) return;
-    std::vector<char> stuck(state.size(), 0);
-    for (const Contact& c : overlapping_) {
-      for (const int body : {c.on, c.from}) {
-        if (system_->is_cube(body)) stuck[static_cast<std::size_t>(body)] = 1;
-      }
-    }
+    const std::vector<char> overlaps = overlapping_cubes();
     near_.find_at(state, farthest_share, contacts_);
     find_islands(*system_, contacts_, islands_);
     const double share = k < most_halvings ? 0.5 : 0.0;
     for (const Island& island : islands_) {
       const bool stops = std::ranges::any_of(
-          island.cubes, [&](int cube) { return stuck[static_cast<std::size_t>(cube)] != 0; });
+          island.cubes, [&](int cube) { return overlaps[static_cast<std::size_t>(cube)] != 0; });
       if (!stops) continue;
       for (const int cube : island.cubes) {
         const auto i = static_cast<std::size_t>(cube);

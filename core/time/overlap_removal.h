@@ -43,6 +43,7 @@ class OverlapRemoval {
 
  private:
   [[nodiscard]] double margin(const Contact& c) const;
+  [[nodiscard]] std::vector<char> overlapping_cubes() const;
 
   const System* system_;
   IslandDynamics dynamics_;
