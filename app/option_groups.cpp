@@ -41,7 +41,8 @@ void add_motion_options(CLI::App& app, MotionSettings& motion) {
   add_single(
       app, "--tolerance", "TOL", "error budget of states [1e-8]",
       [&motion](const Text& text) { motion.tolerance = parse_positive("--tolerance", text); });
-  add_single(app, "--step", "DT", "time step in s [1/240]",
+  add_single(app, "--step", "DT",
+             "time step of rattle (at most), moreau, symplectic and euler in s [1/240]",
              [&motion](const Text& text) { motion.step = parse_positive("--step", text); });
 }
 

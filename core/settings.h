@@ -36,7 +36,7 @@ struct MotionSettings {
   Formulation formulation = Formulation::rigid;
   QpMethod solver = QpMethod::automatic;
   double tolerance = 1e-8;    ///< of states; also the error budget of the audit
-  double step = 1.0 / 240.0;  ///< s, of the stepping integrators
+  double step = 1.0 / 240.0;  ///< s, of the stepping integrators; of rattle the longest one
   Skips skips;
 };
 
