@@ -26,7 +26,9 @@ constexpr double same_time = 1e-7;
 ControlledStepping::ControlledStepping(const System& system, const MotionSettings& settings)
     : system_(&system), stepper_(system, settings) {
   const bool crowd = settings.integrator != Integrator::rattle;
-  allowed_error_ = (crowd ? crowd_error : 1.0) * std::sqrt(settings.tolerance);
+  const double error = std::sqrt(settings.tolerance);
+  allowed_error_ = crowd ? crowd_error * error : error;
+  sway_ = crowd ? 0.0 : error;
 }
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
@@ -51,18 +53,20 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   }
   for (std::size_t k = logged; k < book.events.size(); ++k)
     ceiling_ -= book.events[k].loss;
-  // Energy of second order steps sways about its true value: it may come back to that of the
-  // beginning less what impacts have taken, and no further.
-  bring_down(*system_, ceiling_, next);
+  bring_down(*system_, ceiling_ + sway_ * in_motion(next), next);
   state_ = std::move(next);
   return h == end - t ? end : t + h;
+}
+
+/// The energy that steps are judged by, J.
+double ControlledStepping::in_motion(const State& state) const {
+  return kinetic_energy(*system_, state) + scales_.weight * scales_.length;
 }
 
 /// The longest of h, h / 2, h / 4 .. that is good enough; returns it.
 double ControlledStepping::take_step(State& next, double t, double h, Bookkeeping& book) {
   const double shortest = h * shortest_share;
-  const double bearable =
-      rise_share * (kinetic_energy(*system_, state_) + scales_.weight * scales_.length);
+  const double bearable = rise_share * in_motion(state_);
   const Bookkeeping before = book;
   while (true) {
     next = state_;

@@ -22,6 +22,7 @@ class ControlledStepping {
   [[nodiscard]] State with_closed_gaps();
 
  private:
+  [[nodiscard]] double in_motion(const State& state) const;
   double take_step(State& next, double t, double h, Bookkeeping& book);
 
   const System* system_;
@@ -31,8 +32,11 @@ class ControlledStepping {
   State state_;
   double step_ = 0.0;     ///< s, proposed for the next step
   double longest_ = 0.0;  ///< s, of a step
-  double ceiling_ = 0.0;  ///< J, what the energy may be
-  double rise_ = 0.0;     ///< of the last step, as a share of what may be borne
+  /// J, energy of the beginning less what impacts have taken. That of second order steps sways
+  /// about its true value; it may exceed the ceiling by `sway_` times what is in motion.
+  double ceiling_ = 0.0;
+  double sway_ = 0.0;
+  double rise_ = 0.0;  ///< of the last step, as a share of what may be borne
 };
 
 }  // namespace wuerfel
