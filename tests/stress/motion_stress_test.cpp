@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
+#include "tests/support/bin_scene.h"
 
 namespace wuerfel::test {
 namespace {
@@ -248,22 +248,7 @@ TEST(Invariance, WithoutGravityMomentumStays) {
 class Bin : public testing::TestWithParam<int> {};
 
 TEST_P(Bin, OfRandomSquaresNeverOverlaps) {
-  Scene scene = parse_scene(R"(
-version = 1
-[[plane]]
-[[fixed]]
-size = [0.5, 40]
-position = [-2.25, 20]
-[[fixed]]
-size = [0.5, 40]
-position = [2.25, 20]
-[[pile]]
-count = 12
-size = 1
-region = [-1.95, 0.5, 1.95, 14]
-seed = )" + std::to_string(GetParam()),
-                            "bin.toml");
-  run_and_check(scene, 3.0);
+  run_and_check(bin_scene(12, 4.0, 14.0, GetParam()), 3.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Bin, testing::Range(1, 9));

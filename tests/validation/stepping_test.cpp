@@ -6,6 +6,7 @@
 
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
+#include "tests/support/bin_scene.h"
 
 namespace wuerfel::test {
 namespace {
@@ -59,21 +60,7 @@ TEST(Stepping, EnergyRisesByNoMoreThanTheRootOfTheTolerance) {
 
 TEST(Stepping, CrowdsGainNoEnergy) {
   // What there is and what impacts have taken is never more than there was.
-  const Scene scene = parse_scene(R"(
-version = 1
-[[plane]]
-[[fixed]]
-size = [0.5, 60]
-position = [-3.25, 30]
-[[fixed]]
-size = [0.5, 60]
-position = [3.25, 30]
-[[pile]]
-count = 30
-region = [-2.9, 0.5, 2.9, 20]
-)",
-                                  "bin.toml");
-  Simulation simulation(scene, {});
+  Simulation simulation(bin_scene(30, 6.0, 20.0, 1), {});
   for (int k = 1; k <= 200; ++k) {
     simulation.advance_to(0.0137 * k);
     const Audit audit = simulation.audit();
@@ -83,22 +70,7 @@ region = [-2.9, 0.5, 2.9, 20]
 }
 
 TEST(Stepping, LooksBetweenStepsLeaveNoOverlap) {
-  const Scene scene = parse_scene(R"(
-version = 1
-[[plane]]
-[[fixed]]
-size = [0.5, 40]
-position = [-2.25, 20]
-[[fixed]]
-size = [0.5, 40]
-position = [2.25, 20]
-[[pile]]
-count = 12
-region = [-1.95, 0.5, 1.95, 14]
-seed = 5
-)",
-                                  "bin.toml");
-  Simulation simulation(scene, stepping(1.0 / 60.0));
+  Simulation simulation(bin_scene(12, 4.0, 14.0, 5), stepping(1.0 / 60.0));
   SnapshotRequest contacts;
   contacts.contacts = true;
   for (int k = 1; k <= 300; ++k) {
