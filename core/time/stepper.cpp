@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/model/points.h"
 
@@ -92,12 +91,13 @@ void Stepper::observe(Moment& moment, Bookkeeping& book) {
 /// Accelerations under the contacts that do not open, or that carry load between steps. There cubes
 /// fit each other to the order of the step only, and the terms of their velocities may contradict
 /// one another: without them the forces are those that carry the weights.
-IslandSolution Stepper::accelerate_island(Moment& moment, const Island& island) {
+IslandSolution Stepper::accelerate_island(const std::set<ContactId>& loads,
+                                          const Island& island,
+                                          Moment& moment) {
   std::vector<SideUse> use;
   bool between_steps = false;
   for (const Contact& c : island.contacts) {
-    const bool loaded =
-        std::ranges::any_of(moment.loaded, [&](const Contact& d) { return d.id() == c.id(); });
+    const bool loaded = loads.contains(c.id());
     const bool opens = contact_motion(*system_, moment.state, c) == ContactMotion::opening;
     use.push_back(opens && !loaded ? SideUse::none : SideUse::inequality);
     between_steps = between_steps || loaded;
@@ -185,6 +185,9 @@ void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
   if (!moment.accelerations.empty()) return;
   moment.accelerations.assign(static_cast<std::size_t>(system_->cubes), {system_->gravity, 0.0});
   moment.felt = moment.state;
+  std::set<ContactId> loads;
+  for (const Contact& c : moment.loaded)
+    loads.insert(c.id());
   book.cost.skipped_free += system_->cubes;
   for (std::size_t m = 0; m < moment.islands.size(); ++m) {
     const Island& island = moment.islands[m];
@@ -196,7 +199,7 @@ void Stepper::accelerate(Moment& moment, Bookkeeping& book) {
       ++book.cost.skipped_rest;
       continue;
     }
-    solution = accelerate_island(moment, island);
+    solution = accelerate_island(loads, island, moment);
     keep_book(solution, book);
     const double g = system_->gravity.norm();
     const bool rests = settings_.skips.rest && is_still(island, moment.state)

@@ -2,6 +2,7 @@
 /// stepping of Moreau and Jean, which needs no accelerations.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "core/time/bookkeeping.h"
@@ -28,7 +29,9 @@ class Stepper {
  private:
   void integrate(Moment& moment, double dt) const;
   std::vector<Contact> sweep(Moment& moment, double dt, Bookkeeping& book);
-  IslandSolution accelerate_island(Moment& moment, const Island& island);
+  IslandSolution accelerate_island(const std::set<ContactId>& loads,
+                                   const Island& island,
+                                   Moment& moment);
   void keep_rest(Moment& moment, const Moment& before) const;
   void strike(Moment& moment, const Island& island, Bookkeeping& book);
   [[nodiscard]] std::vector<Contact> pressed_contacts(const Moment& moment) const;

@@ -164,9 +164,8 @@ void Track::step(double limit) {
 /// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
   const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
-  if (calm
-      && (system_->cubes <= most_event_cubes
-          || steps_->is_slower_than(rest_speed * scales_.speed))) {
+  const bool few = system_->cubes <= most_event_cubes || settings_.integrator == Integrator::event;
+  if (calm && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
     hand_back();
   } else {
     until_ = (std::round(clock_ / frame()) + longest_step) * frame();
@@ -193,8 +192,9 @@ std::ptrdiff_t Track::piece_at(double t) const {
 
 std::vector<Contact> Track::loaded_at(double t) const {
   const std::ptrdiff_t k = piece_at(t);
-  if (k < 0) return stepping_ && !pieces_.empty() ? pieces_.back().closed : std::vector<Contact>{};
-  const MotionPiece& piece = pieces_[static_cast<std::size_t>(k)];
+  // At the clock of a stepping it is the last step.
+  if (k < 0 && (!stepping_ || pieces_.empty())) return {};
+  const MotionPiece& piece = k < 0 ? pieces_.back() : pieces_[static_cast<std::size_t>(k)];
   return piece.kind == MotionPiece::Kind::stepped ? piece.closed : std::vector<Contact>{};
 }
 

@@ -17,8 +17,7 @@ class Bench(ProgramTest):
         for row in rows:
             where = (row["scene"], row["tolerance"])
             self.assertEqual(row["status"], "ok", where)
-            # Impacts are as exact as their program, which is solved to 1e-10.
-            promised = max(float(row["tolerance"]), 1e-10)
+            promised = float(row["tolerance"])
             self.assertLessEqual(float(row["state_error"]), promised, where)
             self.assertLessEqual(float(row["overlap_m"]), 1e-9, where)
             if row["event_error_s"]:
