@@ -30,8 +30,7 @@ void require_still(const FigureOptions& options) {
   if (!name.ends_with(".png") && !vector_format(name))
     throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
   const auto& strip = options.still.strip;
-  const std::size_t room =
-      strip ? static_cast<std::size_t>(strip->columns) * static_cast<std::size_t>(strip->rows) : 1;
+  const std::size_t room = strip ? strip->columns * strip->rows : 1;
   if (options.times.size() > room) {
     throw UsageError(strip ? fmt::format("-t: {} times do not fit into a strip of {}",
                                          options.times.size(), room)

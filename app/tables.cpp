@@ -33,8 +33,7 @@ std::string quoted(const std::string& name) {
 }
 
 std::string pushed(const Snapshot& snapshot, const SnapshotForce& force) {
-  return force.body < 0 ? std::string()
-                        : quoted(snapshot.boxes[static_cast<std::size_t>(force.body)].name);
+  return force.body < 0 ? std::string() : quoted(snapshot.boxes[force.body].name);
 }
 
 }  // namespace

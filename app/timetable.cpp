@@ -10,7 +10,7 @@ std::vector<double> frame_times(double end, const FrameRate& rate) {
   const double exact = end * rate.fps / rate.speed;
   const auto last = static_cast<long>(std::floor(exact + 1e-9 * std::max(1.0, exact)));
   std::vector<double> times;
-  times.reserve(static_cast<std::size_t>(last) + 1);
+  times.reserve(last + 1);
   for (long k = 0; k <= last; ++k) {
     times.push_back(std::min(end, static_cast<double>(k) * rate.speed / rate.fps));
   }

@@ -5,7 +5,7 @@
 
 #include "core/dynamics/forces.h"
 #include "core/time/first_moment.h"
-#include "core/time/stepper.h"
+#include "core/time/reference/stepper.h"
 
 namespace wuerfel {
 namespace {
@@ -35,7 +35,7 @@ void add_contact_forces(const System& system, const Moment& moment, Check& check
     const Island& island = moment.islands[m];
     std::vector<Twist> accelerations;
     for (const int cube : island.cubes)
-      accelerations.push_back(moment.accelerations[static_cast<std::size_t>(cube)]);
+      accelerations.push_back(moment.accelerations[cube]);
     const ContactForces forces = canonical_forces(system, moment.state, island, accelerations,
                                                   moment.solutions[m], Uniqueness::asked);
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {

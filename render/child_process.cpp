@@ -132,7 +132,7 @@ std::string ChildProcess::error_output() const {
   std::string text(static_cast<std::size_t>(std::min(size, kept_error_output)), ' ');
   const ssize_t got =
       pread(error_, text.data(), text.size(), size - static_cast<off_t>(text.size()));
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  text.resize(std::max<ssize_t>(got, 0));
   while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
     text.pop_back();
   return text;

@@ -18,7 +18,7 @@ constexpr double second_head_at = 0.75;  ///< head lengths behind the first
 Vec2 step_aside(const FrameParts& parts, const SnapshotForce& force) {
   const auto& boxes = parts.snapshot.boxes;
   if (force.body < 0 || static_cast<std::size_t>(force.body) >= boxes.size()) return Vec2::Zero();
-  const SnapshotBox& box = boxes[static_cast<std::size_t>(force.body)];
+  const SnapshotBox& box = boxes[force.body];
   const Vec2 across = perp(force.force).normalized();
   const double offset = (box.center - force.point).dot(across);
   const double wanted = (0.5 * parts.style.arrow_width + parts.style.halo_width + 0.3) * parts.unit

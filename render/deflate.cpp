@@ -113,7 +113,7 @@ class Adler {
 class RowEncoder {
  public:
   RowEncoder(const Image& image, std::size_t row_bytes)
-      : width_(static_cast<std::size_t>(image.width())), reach_above_(row_bytes <= window) {}
+      : width_(image.width()), reach_above_(row_bytes <= window) {}
 
   /// A row that differs from the one above in the pixels of `unlike` (from left to right) and there
   /// alone.

@@ -142,7 +142,7 @@ void DeflateBlocks::count_letters(std::span<std::uint32_t> letters,
   const std::size_t part = longest_part();
   for (const DeflateStep& step : steps_) {
     letters[0] += step.row_begin ? 1 : 0;
-    const std::uint8_t* pixel = pixels_ + 4 * static_cast<std::size_t>(step.first);
+    const std::uint8_t* pixel = pixels_ + 4 * step.first;
     for (std::uint32_t i = 0; i < step.literal; ++i, pixel += 4) {
       ++letters[pixel[0]];
       ++letters[pixel[1]];
@@ -163,7 +163,7 @@ void DeflateBlocks::write_step(const DeflateStep& step,
                                std::span<const std::uint64_t> left_matches,
                                std::span<const std::uint64_t> above_matches) {
   if (step.row_begin) put(letters.bits[0], letters.lengths[0]);
-  const std::uint8_t* pixel = pixels_ + 4 * static_cast<std::size_t>(step.first);
+  const std::uint8_t* pixel = pixels_ + 4 * step.first;
   for (std::uint32_t i = 0; i < step.literal; ++i, pixel += 4) {
     // Three codes of at most 15 bits at once.
     const unsigned first = letters.lengths[pixel[0]];

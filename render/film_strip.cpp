@@ -59,9 +59,9 @@ StripLayout strip_layout(StripGrid grid, int width, int height, double scale) {
 }
 
 std::vector<double> strip_times(int count, double end) {
-  std::vector<double> times(static_cast<std::size_t>(count), end);
+  std::vector<double> times(count, end);
   for (int i = 0; i + 1 < count; ++i)
-    times[static_cast<std::size_t>(i)] = end * i / (count - 1);
+    times[i] = end * i / (count - 1);
   return times;
 }
 

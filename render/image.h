@@ -38,11 +38,7 @@ class Image {
   friend bool operator==(const Image&, const Image&) = default;
 
  private:
-  std::size_t offset(int x, int y) const {
-    return 4
-           * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)
-              + static_cast<std::size_t>(x));
-  }
+  std::size_t offset(int x, int y) const { return 4 * (y * width_ + x); }
 
   int width_ = 0;
   int height_ = 0;

@@ -149,7 +149,7 @@ std::vector<std::uint8_t> stream_by_libpng(const Image& image, bool alpha) {
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(writer.png(), writer.info());
   // Leaving alpha out here is faster than libpng's filler.
-  std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(image.width()) + 1);
+  std::vector<std::uint8_t> rgb(3 * image.width() + 1);
   for (int y = 0; y < image.height(); ++y) {
     if (!alpha) copy_rgb(image.row(y), image.width(), rgb.data());
     png_write_row(writer.png(), alpha ? image.row(y) : rgb.data());

@@ -56,7 +56,7 @@ void append_yuv420(const Image& image, std::vector<std::uint8_t>& planes) {
   std::uint8_t* u = luma + width * height;
   std::uint8_t* v = u + width * height / 4;
   const int last = image.height() - 1;
-  const auto row_bytes = 4 * static_cast<std::size_t>(image.width());
+  const auto row_bytes = 4 * image.width();
   // Most rows of a picture of flat shapes equal the one above.
   const auto equals_above = [&](int y) {
     return y > 0 && std::memcmp(image.row(y), image.row(y - 1), row_bytes) == 0;

@@ -22,7 +22,7 @@ Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane
   c.from = from;
   c.corner = k;
   c.normal = plane.normal;
-  c.arm_k = b.arm[static_cast<std::size_t>(k)];
+  c.arm_k = b.arm[k];
   c.point = b.center + c.arm_k;
   c.gap = plane.normal.dot((b.center - plane.point) + c.arm_k);
   c.alpha = 0.5;
@@ -39,8 +39,7 @@ void add_plane(int plane_index,
                double tolerance,
                std::vector<Contact>& contacts) {
   for (int k = 0; k < 4; ++k) {
-    const double gap =
-        plane.normal.dot((box.center - plane.point) + box.arm[static_cast<std::size_t>(k)]);
+    const double gap = plane.normal.dot((box.center - plane.point) + box.arm[k]);
     if (gap <= tolerance)
       contacts.push_back(corner_on_plane(box_index, box, k, plane_index, plane));
   }
@@ -56,11 +55,11 @@ double gap_rounding(const Vec2& a, const Vec2& b) {
 ContactVelocity contact_velocity(const System& system, const State& state, const Contact& contact) {
   ContactVelocity v;
   if (system.is_cube(contact.on)) {
-    const BodyState& b = state[static_cast<std::size_t>(contact.on)];
+    const BodyState& b = state[contact.on];
     v.v_k = b.velocity + b.spin * perp(contact.arm_k);
   }
   if (system.is_cube(contact.from)) {
-    const BodyState& a = state[static_cast<std::size_t>(contact.from)];
+    const BodyState& a = state[contact.from];
     v.v_i = a.velocity + a.spin * perp(contact.arm_i);
     v.v_j = a.velocity + a.spin * perp(contact.arm_j);
   }
@@ -86,12 +85,12 @@ ContactMotion contact_motion(const System& system, const State& state, const Con
 }
 
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact) {
-  const Box& b = boxes[static_cast<std::size_t>(contact.on)];
+  const Box& b = boxes[contact.on];
   const Body& from = system.body(contact.from);
   if (from.kind == BodyKind::plane) {
     return corner_on_plane(contact.on, b, contact.corner, contact.from, from);
   }
-  const Box& a = boxes[static_cast<std::size_t>(contact.from)];
+  const Box& a = boxes[contact.from];
   return corner_on_side(contact.on, b, contact.corner, contact.from, a, contact.side);
 }
 
@@ -105,7 +104,7 @@ void ContactFinder::find(const System& system,
   bounds_.clear();
   int boxes = 0;
   for (; boxes < system.count() && system.body(boxes).kind != BodyKind::plane; ++boxes) {
-    const Box& box = boxes_[static_cast<std::size_t>(boxes)];
+    const Box& box = boxes_[boxes];
     const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
                         + Vec2::Constant(std::max(tolerance * smaller_side(system, boxes),
                                                   gap_rounding(box.center, box.center)));
@@ -125,7 +124,7 @@ void ContactFinder::find(const System& system,
   for (int p = boxes; p < system.count(); ++p) {
     const Body& plane = system.body(p);
     for (int i = 0; i < system.cubes; ++i) {
-      const Box& box = boxes_[static_cast<std::size_t>(i)];
+      const Box& box = boxes_[i];
       const double scale = smaller_side(system, i);
       const double separation = plane_separation(plane.point, plane.normal, box);
       const double touching = std::max(tolerance * scale, gap_rounding(box.center, plane.point));

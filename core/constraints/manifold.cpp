@@ -25,8 +25,8 @@ Incident incident_corners(const Box& a, int e, const Box& b, double tolerance) {
   const Vec2 n = a.normal(e);
   const double offset = n.dot(b.center - a.center) - a.reach(e);
   for (int k = 0; k < 4; ++k) {
-    if (offset + n.dot(b.arm[static_cast<std::size_t>(k)]) <= tolerance) {
-      incident.corner[static_cast<std::size_t>(incident.count++)] = k;
+    if (offset + n.dot(b.arm[k]) <= tolerance) {
+      incident.corner[incident.count++] = k;
     }
   }
   return incident;
@@ -92,11 +92,11 @@ struct Candidates {
 Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tolerance) {
   Candidates found;
   std::array<FacingSide, 8> all;
-  const Box& a = boxes[static_cast<std::size_t>(i)];
-  const Box& b = boxes[static_cast<std::size_t>(j)];
+  const Box& a = boxes[i];
+  const Box& b = boxes[j];
   for (int e = 0; e < 4; ++e) {
-    all[static_cast<std::size_t>(e)] = {i, j, e, side_separation(a, e, b)};
-    all[static_cast<std::size_t>(e + 4)] = {j, i, e, side_separation(b, e, a)};
+    all[e] = {i, j, e, side_separation(a, e, b)};
+    all[e + 4] = {j, i, e, side_separation(b, e, a)};
   }
   found.largest = all[0].separation;
   for (const FacingSide& c : all) {
@@ -106,7 +106,7 @@ Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tol
   const double least = std::min(found.largest, 0.0) - tolerance;
   for (const FacingSide& c : all) {
     if (c.separation >= least) {
-      found.list[static_cast<std::size_t>(found.count++)] = c;
+      found.list[found.count++] = c;
     }
   }
   return found;
@@ -116,8 +116,7 @@ Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tol
 Contact deepest_corner(const FacingSide& s, const Box& a, const Box& b, const Incident& incident) {
   Contact best = corner_on_side(s.on, b, incident.corner[0], s.from, a, s.side);
   for (int m = 1; m < incident.count; ++m) {
-    const Contact c =
-        corner_on_side(s.on, b, incident.corner[static_cast<std::size_t>(m)], s.from, a, s.side);
+    const Contact c = corner_on_side(s.on, b, incident.corner[m], s.from, a, s.side);
     if (c.gap < best.gap) best = c;
   }
   return best;
@@ -130,8 +129,7 @@ Contact nearest_to_middle(const FacingSide& s,
                           const Incident& incident) {
   Contact best = corner_on_side(s.on, b, incident.corner[0], s.from, a, s.side);
   for (int m = 1; m < incident.count; ++m) {
-    const Contact c =
-        corner_on_side(s.on, b, incident.corner[static_cast<std::size_t>(m)], s.from, a, s.side);
+    const Contact c = corner_on_side(s.on, b, incident.corner[m], s.from, a, s.side);
     if (std::abs(c.alpha - 0.5) < std::abs(best.alpha - 0.5)) best = c;
   }
   return best;
@@ -147,9 +145,9 @@ Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int 
   c.side = e;
   c.normal = a.normal(e);
   c.length = a.length(e);
-  c.arm_k = b.arm[static_cast<std::size_t>(k)];
-  c.arm_i = a.arm[static_cast<std::size_t>(next_corner(e))];
-  c.arm_j = a.arm[static_cast<std::size_t>(e)];
+  c.arm_k = b.arm[k];
+  c.arm_i = a.arm[next_corner(e)];
+  c.arm_j = a.arm[e];
   c.point = b.center + c.arm_k;
   const Vec2 from_center = (b.center - a.center) + c.arm_k;
   c.gap = c.normal.dot(from_center) - a.reach(e);
@@ -170,9 +168,9 @@ double add_touching_contacts(const System& system,
   double fastest = 0.0;
   bool found = false;
   for (int m = 0; m < sides.count; ++m) {
-    const FacingSide& s = sides.list[static_cast<std::size_t>(m)];
-    const Box& a = boxes[static_cast<std::size_t>(s.from)];
-    const Box& b = boxes[static_cast<std::size_t>(s.on)];
+    const FacingSide& s = sides.list[m];
+    const Box& a = boxes[s.from];
+    const Box& b = boxes[s.on];
     const Incident incident = incident_corners(a, s.side, b, tolerance);
     if (is_flush(s, a, b, incident, tolerance)) {
       flush = true;
@@ -199,20 +197,19 @@ Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
   const Candidates sides = separating_sides(boxes, i, j, std::numeric_limits<double>::max());
   FacingSide best = sides.list[0];
   for (int m = 1; m < sides.count; ++m) {
-    const FacingSide& s = sides.list[static_cast<std::size_t>(m)];
+    const FacingSide& s = sides.list[m];
     if (s.separation > best.separation) best = s;
   }
-  const Box& a = boxes[static_cast<std::size_t>(best.from)];
-  const Box& b = boxes[static_cast<std::size_t>(best.on)];
+  const Box& a = boxes[best.from];
+  const Box& b = boxes[best.on];
   return deepest_corner(best, a, b,
                         incident_corners(a, best.side, b, std::numeric_limits<double>::max()));
 }
 
 FacingSide separating_side(std::span<const Box> start, std::span<const Box> end, int i, int j) {
   // What has closed by rounding at the start has not closed yet.
-  const double zero = touching_tolerance
-                      * std::min(start[static_cast<std::size_t>(i)].smaller_side(),
-                                 start[static_cast<std::size_t>(j)].smaller_side());
+  const double zero =
+      touching_tolerance * std::min(start[i].smaller_side(), start[j].smaller_side());
   FacingSide best;
   FacingSide deepest;
   double latest = -1.0;
@@ -246,8 +243,8 @@ void add_near_contacts(std::span<const Box> boxes,
                        const FacingSide& side,
                        double flush,
                        std::vector<Contact>& contacts) {
-  const Box& a = boxes[static_cast<std::size_t>(side.from)];
-  const Box& b = boxes[static_cast<std::size_t>(side.on)];
+  const Box& a = boxes[side.from];
+  const Box& b = boxes[side.on];
   const Vec2 n = a.normal(side.side);
   if (std::abs(det(n, b.normal(facing_side(b, n)))) <= flush) {
     if (add_face(side, a, b, touching_tolerance * std::min(a.smaller_side(), b.smaller_side()),

@@ -21,16 +21,15 @@ void ClosedContacts::close(const std::vector<Contact>& contacts, const std::vect
   use_.assign(contacts.size(), SideUse::equality);
   resting_ = resting;
   few_ = contacts.size() <= FewContacts::most;
-  boxes_.resize(static_cast<std::size_t>(system_->count()));
+  boxes_.resize(system_->count());
   for (int i = system_->cubes; i < system_->count(); ++i)
-    boxes_[static_cast<std::size_t>(i)] = system_->body(i).box;
+    boxes_[i] = system_->body(i).box;
 }
 
 void ClosedContacts::pose(const State& state) {
   for (const int cube : island_.cubes) {
-    const BodyState& s = state[static_cast<std::size_t>(cube)];
-    boxes_[static_cast<std::size_t>(cube)] =
-        make_box(s.position, s.angle, system_->body(cube).size);
+    const BodyState& s = state[cube];
+    boxes_[cube] = make_box(s.position, s.angle, system_->body(cube).size);
   }
   for (Contact& c : island_.contacts)
     c = at_poses(*system_, boxes_, c);
@@ -60,7 +59,7 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
   solve(state, FewContacts::Order::acceleration);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
-    accelerations[static_cast<std::size_t>(cube)] = {Vec2(at[0], at[1]), at[2]};
+    accelerations[cube] = {Vec2(at[0], at[1]), at[2]};
     at += 3;
   }
 }
@@ -70,7 +69,7 @@ void ClosedContacts::project_positions(State& state) {
   solve(state, FewContacts::Order::position);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
-    BodyState& s = state[static_cast<std::size_t>(cube)];
+    BodyState& s = state[cube];
     s.position += Vec2(at[0], at[1]);
     s.angle += at[2];
     at += 3;
@@ -82,7 +81,7 @@ void ClosedContacts::project_velocities(State& state) {
   solve(state, FewContacts::Order::velocity);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
-    BodyState& s = state[static_cast<std::size_t>(cube)];
+    BodyState& s = state[cube];
     s.velocity = Vec2(at[0], at[1]);
     s.spin = at[2];
     at += 3;

@@ -36,7 +36,7 @@ void FewContacts::build(const System& system,
   target_.clear();
   for (const int cube : island.cubes) {
     const Body& body = system.body(cube);
-    const BodyState& s = state[static_cast<std::size_t>(cube)];
+    const BodyState& s = state[cube];
     inverse_mass_.push_back({1.0 / body.mass, 1.0 / body.mass, 1.0 / body.inertia});
     Triple target{};
     if (order == Order::velocity) target = {s.velocity.x(), s.velocity.y(), s.spin};
@@ -57,17 +57,17 @@ void FewContacts::add(
   }
   const double scale = 1.0 / c.length;
   double constant = order == Order::position ? c.gap : scale * side.c;
-  Row& row = rows_[static_cast<std::size_t>(count_++)];
+  Row& row = rows_[count_++];
   row = {};
   if (system.is_cube(c.on)) {
     RigidRow rigid;
-    pull_back(scale * side.g_k, c.arm_k, state[static_cast<std::size_t>(c.on)].spin, rigid);
+    pull_back(scale * side.g_k, c.arm_k, state[c.on].spin, rigid);
     row.on = number_in(island, c.on);
     row.g_on = rigid.g;
     if (order == Order::acceleration) constant += rigid.centripetal;
   }
   if (system.is_cube(c.from)) {
-    const double spin = state[static_cast<std::size_t>(c.from)].spin;
+    const double spin = state[c.from].spin;
     RigidRow rigid;
     pull_back(scale * side.g_i, c.arm_i, spin, rigid);
     pull_back(scale * side.g_j, c.arm_j, spin, rigid);
@@ -82,7 +82,7 @@ double FewContacts::product(const Row& row, const std::vector<double>& x) const 
   double sum = 0.0;
   const auto add = [&](int cube, const Triple& g) {
     if (cube < 0) return;
-    const double* at = x.data() + 3 * static_cast<std::size_t>(cube);
+    const double* at = x.data() + 3 * cube;
     sum += g[0] * at[0] + g[1] * at[1] + g[2] * at[2];
   };
   add(row.on, row.g_on);
@@ -93,8 +93,7 @@ double FewContacts::product(const Row& row, const std::vector<double>& x) const 
 double FewContacts::coupling(const Row& a, const Row& b) const {
   double sum = 0.0;
   const auto add = [&](int cube, const Triple& g, int other, const Triple& h) {
-    if (cube >= 0 && cube == other)
-      sum += weighted(g, h, inverse_mass_[static_cast<std::size_t>(cube)]);
+    if (cube >= 0 && cube == other) sum += weighted(g, h, inverse_mass_[cube]);
   };
   add(a.on, a.g_on, b.on, b.g_on);
   add(a.on, a.g_on, b.from, b.g_from);
@@ -106,22 +105,22 @@ double FewContacts::coupling(const Row& a, const Row& b) const {
 /// J M^-1 J' = L L'; false where a row depends on those before it.
 bool FewContacts::factorise() {
   for (int i = 0; i < count_; ++i) {
-    double* row = &factor_[static_cast<std::size_t>(i * most)];
+    double* row = &factor_[i * most];
     double squares = 0.0;
     for (int j = 0; j < i; ++j) {
-      const double* other = &factor_[static_cast<std::size_t>(j * most)];
-      double sum = coupling(rows_[static_cast<std::size_t>(i)], rows_[static_cast<std::size_t>(j)]);
+      const double* other = &factor_[j * most];
+      double sum = coupling(rows_[i], rows_[j]);
       for (int k = 0; k < j; ++k)
         sum -= row[k] * other[k];
-      row[j] = sum * inverse_[static_cast<std::size_t>(j)];
+      row[j] = sum * inverse_[j];
       squares += row[j] * row[j];
     }
-    const Row& self = rows_[static_cast<std::size_t>(i)];
+    const Row& self = rows_[i];
     const double diagonal = coupling(self, self);
     const double pivot = diagonal - squares;
     if (!(pivot > dependent_share * diagonal)) return false;
     row[i] = std::sqrt(pivot);
-    inverse_[static_cast<std::size_t>(i)] = 1.0 / row[i];
+    inverse_[i] = 1.0 / row[i];
   }
   return true;
 }
@@ -130,21 +129,21 @@ void FewContacts::substitute(std::array<double, most>& r) const {
   for (int i = 0; i < count_; ++i) {
     const auto at = static_cast<std::size_t>(i);
     for (int j = 0; j < i; ++j)
-      r[at] -= factor_[static_cast<std::size_t>(i * most + j)] * r[static_cast<std::size_t>(j)];
+      r[at] -= factor_[i * most + j] * r[j];
     r[at] *= inverse_[at];
   }
   for (int i = count_ - 1; i >= 0; --i) {
     const auto at = static_cast<std::size_t>(i);
     r[at] *= inverse_[at];
     for (int j = 0; j < i; ++j)
-      r[static_cast<std::size_t>(j)] -= factor_[static_cast<std::size_t>(i * most + j)] * r[at];
+      r[j] -= factor_[i * most + j] * r[at];
   }
 }
 
 bool FewContacts::solve(std::vector<double>& x, std::vector<double>& multiplier) {
   if (!factorise()) return false;
   x = target_;
-  multiplier.assign(static_cast<std::size_t>(count_), 0.0);
+  multiplier.assign(count_, 0.0);
   std::array<double, most> residual{};
   double scale = 0.0;
   for (int round = 0; round <= most_refinements; ++round) {
@@ -161,8 +160,8 @@ bool FewContacts::solve(std::vector<double>& x, std::vector<double>& multiplier)
       multiplier[i] += residual[i];
       const auto push = [&](int cube, const Triple& g) {
         if (cube < 0) return;
-        const Triple& w = inverse_mass_[static_cast<std::size_t>(cube)];
-        double* at = x.data() + 3 * static_cast<std::size_t>(cube);
+        const Triple& w = inverse_mass_[cube];
+        double* at = x.data() + 3 * cube;
         for (std::size_t k = 0; k < 3; ++k)
           at[k] += g[k] * w[k] * residual[i];
       };

@@ -61,7 +61,7 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
                                              const std::vector<Contact>& contacts,
                                              const std::vector<double>& forces) {
   const Body& body = system.body(cube);
-  const BodyState& s = state[static_cast<std::size_t>(cube)];
+  const BodyState& s = state[cube];
   const CubePoints points = points_of(s, body.size);
   const auto masses = mass_distribution(body.size, body.mass);
   // What rods have to add to gravity and contact so that m_k a_k comes out.
@@ -85,10 +85,8 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
   Eigen::Matrix<double, 2 * points_per_cube, rods_per_cube> directions;
   directions.setZero();
   for (int m = 0; m < rods_per_cube; ++m) {
-    const RodEnds& rod = cube_rods[static_cast<std::size_t>(m)];
-    const Vec2 pull =
-        (points.p[static_cast<std::size_t>(rod.j)] - points.p[static_cast<std::size_t>(rod.i)])
-            .normalized();
+    const RodEnds& rod = cube_rods[m];
+    const Vec2 pull = (points.p[rod.j] - points.p[rod.i]).normalized();
     directions.block<2, 1>(2 * rod.i, m) = pull;
     directions.block<2, 1>(2 * rod.j, m) = -pull;
   }
@@ -96,7 +94,7 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
       directions.completeOrthogonalDecomposition().solve(missing);
   std::array<double, rods_per_cube> result{};
   for (int m = 0; m < rods_per_cube; ++m) {
-    result[static_cast<std::size_t>(m)] = tension[m];
+    result[m] = tension[m];
   }
   return result;
 }

@@ -38,7 +38,7 @@ constexpr double pressing_share = 1e-9;
 double slack(const QuadraticProgram& program, std::size_t row, const std::vector<double>& x) {
   double sum = -program.bound[row];
   for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
-    const auto block = static_cast<std::size_t>(program.entry_block[static_cast<std::size_t>(e)]);
+    const auto block = static_cast<std::size_t>(program.entry_block[e]);
     const std::span<const double> g = program.entry(e);
     for (std::size_t k = 0; k < g.size(); ++k)
       sum += g[k] * x[block * g.size() + k];
@@ -209,7 +209,7 @@ IslandSolution IslandDynamics::correction(const State& state,
 
 void set_velocities(const Island& island, const std::vector<Twist>& velocities, State& state) {
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
+    BodyState& s = state[island.cubes[k]];
     s.velocity = velocities[k].linear;
     s.spin = velocities[k].angular;
   }
@@ -217,7 +217,7 @@ void set_velocities(const Island& island, const std::vector<Twist>& velocities, 
 
 void displace(const Island& island, const std::vector<Twist>& displacements, State& state) {
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    BodyState& s = state[static_cast<std::size_t>(island.cubes[k])];
+    BodyState& s = state[island.cubes[k]];
     s.position += displacements[k].linear;
     s.angle += displacements[k].angular;
   }

@@ -22,13 +22,13 @@ void ProgramBuilder::begin(const State& state,
                            std::span<const Twist> targets) {
   const bool points = formulation_ == Formulation::points;
   program_.clear(points ? 2 : 3);
-  local_.resize(static_cast<std::size_t>(system_->cubes), -1);
+  local_.resize(system_->cubes, -1);
   int next = 0;
   for (const int cube : island.cubes) {
-    local_[static_cast<std::size_t>(cube)] = next++;
+    local_[cube] = next++;
     const Body& body = system_->body(cube);
-    const BodyState& s = state[static_cast<std::size_t>(cube)];
-    const Twist goal = targets.empty() ? Twist{} : targets[static_cast<std::size_t>(next - 1)];
+    const BodyState& s = state[cube];
+    const Twist goal = targets.empty() ? Twist{} : targets[next - 1];
     if (!points) {
       const std::array<double, 3> mass = {body.mass, body.mass, body.inertia};
       std::array<double, 3> target = {goal.linear.x(), goal.linear.y(), goal.angular};
@@ -49,15 +49,14 @@ void ProgramBuilder::begin(const State& state,
   }
   if (points) {
     for (const int cube : island.cubes) {
-      add_rods(state, cube, points_per_cube * local_[static_cast<std::size_t>(cube)], order);
+      add_rods(state, cube, points_per_cube * local_[cube], order);
     }
   }
   first_contact_row_ = program_.rows();
 }
 
 void ProgramBuilder::add_rods(const State& state, int cube, int first_block, Order order) {
-  const CubePoints points =
-      points_of(state[static_cast<std::size_t>(cube)], system_->body(cube).size);
+  const CubePoints points = points_of(state[cube], system_->body(cube).size);
   for (const RodEnds& rod : cube_rods) {
     const auto i = static_cast<std::size_t>(rod.i);
     const auto j = static_cast<std::size_t>(rod.j);
@@ -76,7 +75,7 @@ void ProgramBuilder::add_rods(const State& state, int cube, int first_block, Ord
 
 void ProgramBuilder::add_point_entries(const Contact& contact, const SideRow& row) {
   const auto add = [&](int body, int corner, const Vec2& g) {
-    const int block = points_per_cube * local_[static_cast<std::size_t>(body)] + corner;
+    const int block = points_per_cube * local_[body] + corner;
     program_.add_entry(block, std::array{g.x(), g.y()});
   };
   if (system_->is_cube(contact.on)) add(contact.on, contact.corner, row.g_k);
@@ -92,16 +91,16 @@ void ProgramBuilder::add_rigid_entries(const State& state,
                                        double& c) {
   if (system_->is_cube(contact.on)) {
     RigidRow rigid;
-    pull_back(row.g_k, contact.arm_k, state[static_cast<std::size_t>(contact.on)].spin, rigid);
-    program_.add_entry(local_[static_cast<std::size_t>(contact.on)], rigid.g);
+    pull_back(row.g_k, contact.arm_k, state[contact.on].spin, rigid);
+    program_.add_entry(local_[contact.on], rigid.g);
     c += rigid.centripetal;
   }
   if (system_->is_cube(contact.from)) {
-    const double omega = state[static_cast<std::size_t>(contact.from)].spin;
+    const double omega = state[contact.from].spin;
     RigidRow rigid;
     pull_back(row.g_i, contact.arm_i, omega, rigid);
     pull_back(row.g_j, contact.arm_j, omega, rigid);
-    program_.add_entry(local_[static_cast<std::size_t>(contact.from)], rigid.g);
+    program_.add_entry(local_[contact.from], rigid.g);
     c += rigid.centripetal;
   }
 }
@@ -128,7 +127,7 @@ void ProgramBuilder::add_side(const State& state,
     add_rigid_entries(state, contact, row, centripetal);
     if (order == Order::acceleration) c += centripetal;
   }
-  program_.bound[static_cast<std::size_t>(index)] = -c;
+  program_.bound[index] = -c;
 }
 
 void ProgramBuilder::add_sides(const State& state,
@@ -180,7 +179,7 @@ std::vector<Twist> ProgramBuilder::twists(const State& state,
       rate = {at[0], at[1]};
       at += 2;
     }
-    const CubePoints points = points_of(state[static_cast<std::size_t>(cube)], body.size);
+    const CubePoints points = points_of(state[cube], body.size);
     result.push_back(rigid_part(rates, arms_of(points), mass_distribution(body.size, body.mass)));
   }
   return result;

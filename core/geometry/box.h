@@ -18,7 +18,7 @@ struct Box {
   std::array<Vec2, 4> arm = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
                              Vec2::Zero()};  ///< m, corners relative to the centre
 
-  [[nodiscard]] Vec2 corner(int k) const { return center + arm[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] Vec2 corner(int k) const { return center + arm[k]; }
   /// Unit normal of side e, pointing out.
   [[nodiscard]] Vec2 normal(int e) const {
     const Vec2 n = (e & 1) != 0 ? axis : Vec2(axis.y(), -axis.x());

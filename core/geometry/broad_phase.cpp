@@ -11,9 +11,7 @@ constexpr int leaf_size = 4;
 /// Margin of the larger bounds, as a share of the smaller extent.
 constexpr double margin_share = 0.05;
 
-const BoundingBox& at(std::span<const BoundingBox> bounds, int i) {
-  return bounds[static_cast<std::size_t>(i)];
-}
+const BoundingBox& at(std::span<const BoundingBox> bounds, int i) { return bounds[i]; }
 
 }  // namespace
 
@@ -57,18 +55,18 @@ int BroadPhase::build(int begin, int end) {
     build(begin, middle);
     right = build(middle, end);
   }
-  nodes_[static_cast<std::size_t>(index)] = {all, begin, end, right};
+  nodes_[index] = {all, begin, end, right};
   return index;
 }
 
 /// Pairs of a leaf with itself and with the leaves after it.
 void BroadPhase::query(int leaf) {
-  const Node& mine = nodes_[static_cast<std::size_t>(leaf)];
+  const Node& mine = nodes_[leaf];
   stack_.assign(1, 0);
   while (!stack_.empty()) {
     const int index = stack_.back();
     stack_.pop_back();
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    const Node& node = nodes_[index];
     if (node.end <= mine.begin || !node.bounds.overlaps(mine.bounds)) continue;
     if (node.right >= 0) {
       stack_.push_back(index + 1);
@@ -76,9 +74,9 @@ void BroadPhase::query(int leaf) {
       continue;
     }
     for (int k = mine.begin; k < mine.end; ++k) {
-      const int i = order_[static_cast<std::size_t>(k)];
+      const int i = order_[k];
       for (int m = std::max(node.begin, k + 1); m < node.end; ++m) {
-        const int j = order_[static_cast<std::size_t>(m)];
+        const int j = order_[m];
         if (at(large_, i).overlaps(at(large_, j))) unsorted_.emplace_back(std::minmax(i, j));
       }
     }
@@ -89,11 +87,11 @@ void BroadPhase::query(int leaf) {
 void BroadPhase::sort_near_pairs() {
   place_.assign(large_.size() + 1, 0);
   for (const IndexPair& pair : unsorted_)
-    ++place_[static_cast<std::size_t>(pair.first) + 1];
+    ++place_[pair.first + 1];
   std::partial_sum(place_.begin(), place_.end(), place_.begin());
   near_.resize(unsorted_.size());
   for (const IndexPair& pair : unsorted_)
-    near_[static_cast<std::size_t>(place_[static_cast<std::size_t>(pair.first)]++)] = pair;
+    near_[place_[pair.first]++] = pair;
   // Each place has moved to where the next one began.
   std::ptrdiff_t begin = 0;
   for (std::size_t i = 0; i < large_.size(); ++i) {
@@ -116,7 +114,7 @@ void BroadPhase::find_near_pairs(std::span<const BoundingBox> bounds) {
   std::iota(order_.begin(), order_.end(), 0);
   build(0, n);
   for (int index = 0; index < static_cast<int>(nodes_.size()); ++index) {
-    if (nodes_[static_cast<std::size_t>(index)].right < 0) query(index);
+    if (nodes_[index].right < 0) query(index);
   }
   sort_near_pairs();
 }

@@ -29,7 +29,7 @@ struct System {
   std::vector<Body> bodies;
   int cubes = 0;
 
-  [[nodiscard]] const Body& body(int i) const { return bodies[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Body& body(int i) const { return bodies[i]; }
   [[nodiscard]] bool is_cube(int i) const { return i < cubes; }
   [[nodiscard]] int count() const { return static_cast<int>(bodies.size()); }
 };

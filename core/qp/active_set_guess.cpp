@@ -15,9 +15,8 @@ double slack(const QuadraticProgram& p, std::size_t row, const std::vector<doubl
   double sum = -p.bound[row];
   const auto block = static_cast<std::size_t>(p.block_size);
   for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-    const double* g = p.coefficients.data() + static_cast<std::size_t>(e) * block;
-    const double* at =
-        x.data() + static_cast<std::size_t>(p.entry_block[static_cast<std::size_t>(e)]) * block;
+    const double* g = p.coefficients.data() + e * block;
+    const double* at = x.data() + p.entry_block[e] * block;
     for (std::size_t k = 0; k < block; ++k)
       sum += g[k] * at[k];
   }
@@ -34,7 +33,7 @@ void ActiveSetGuess::reduce(const QuadraticProgram& p, const std::vector<char>& 
     if (tight[row] == 0) continue;
     reduced_.add_equality(p.bound[row]);
     for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e)
-      reduced_.add_entry(p.entry_block[static_cast<std::size_t>(e)], p.entry(e));
+      reduced_.add_entry(p.entry_block[e], p.entry(e));
   }
 }
 

@@ -53,8 +53,8 @@ void BlockCholesky::find_columns(const std::vector<int>& start,
     }
     std::sort(row_.begin() + first, row_.end());
     column_start_.push_back(static_cast<int>(row_.size()));
-    if (row_.size() == static_cast<std::size_t>(first) + 1) continue;
-    const int parent = row_[static_cast<std::size_t>(first) + 1];
+    if (static_cast<std::ptrdiff_t>(row_.size()) == first + 1) continue;
+    const int parent = row_[first + 1];
     next_sibling_[at(j)] = first_child_[at(parent)];
     first_child_[at(parent)] = j;
   }

@@ -207,7 +207,7 @@ void BlockSolver::weight_tight_rows(const ResidualScales& scales,
   weight_.resize(rows);
   rest_.resize(rows);
   change_.resize(rows);
-  y_.resize(static_cast<std::size_t>(problem_.blocks()));
+  y_.resize(problem_.blocks());
   double force = scales.weight;
   for (std::size_t i = 0; i < rows; ++i)
     force = std::max(force, std::abs(multiplier[i]) * scales.row_norm[i]);

@@ -35,11 +35,9 @@ double dot(const double* a, const double* b, int n) {
 double product(const QuadraticProgram& p, int row, const std::vector<double>& x) {
   double sum = 0.0;
   const auto block = static_cast<std::size_t>(p.block_size);
-  for (int e = p.row_start[static_cast<std::size_t>(row)];
-       e < p.row_start[static_cast<std::size_t>(row) + 1]; ++e) {
-    const double* g = p.coefficients.data() + static_cast<std::size_t>(e) * block;
-    const double* at =
-        x.data() + static_cast<std::size_t>(p.entry_block[static_cast<std::size_t>(e)]) * block;
+  for (int e = p.row_start[row]; e < p.row_start[static_cast<std::size_t>(row) + 1]; ++e) {
+    const double* g = p.coefficients.data() + e * block;
+    const double* at = x.data() + p.entry_block[e] * block;
     for (std::size_t k = 0; k < block; ++k)
       sum += g[k] * at[k];
   }
@@ -49,11 +47,9 @@ double product(const QuadraticProgram& p, int row, const std::vector<double>& x)
 /// x += M^-1 row' * factor.
 void add_push(const QuadraticProgram& p, int row, double factor, std::vector<double>& x) {
   const auto block = static_cast<std::size_t>(p.block_size);
-  for (int e = p.row_start[static_cast<std::size_t>(row)];
-       e < p.row_start[static_cast<std::size_t>(row) + 1]; ++e) {
-    const double* g = p.coefficients.data() + static_cast<std::size_t>(e) * block;
-    const std::size_t at =
-        static_cast<std::size_t>(p.entry_block[static_cast<std::size_t>(e)]) * block;
+  for (int e = p.row_start[row]; e < p.row_start[static_cast<std::size_t>(row) + 1]; ++e) {
+    const double* g = p.coefficients.data() + e * block;
+    const std::size_t at = p.entry_block[e] * block;
     for (std::size_t k = 0; k < block; ++k)
       x[at + k] += g[k] * factor / p.mass[at + k];
   }
@@ -68,11 +64,11 @@ void EqualitySolver::find_order(const std::vector<std::vector<int>>& rows_of_blo
   std::vector<int> degree(rows, 0);
   for (const std::vector<int>& sharing : rows_of_block) {
     for (const int row : sharing)
-      degree[static_cast<std::size_t>(row)] += static_cast<int>(sharing.size());
+      degree[row] += static_cast<int>(sharing.size());
   }
   const auto before = [&](int a, int b) {
-    const int d_a = degree[static_cast<std::size_t>(a)];
-    const int d_b = degree[static_cast<std::size_t>(b)];
+    const int d_a = degree[a];
+    const int d_b = degree[b];
     return d_a != d_b ? d_a < d_b : a < b;
   };
   std::vector<char> seen(rows, 0);
@@ -80,15 +76,14 @@ void EqualitySolver::find_order(const std::vector<std::vector<int>>& rows_of_blo
   const auto walk = [&](int start, std::vector<int>& order) {
     std::size_t next = order.size();
     order.push_back(start);
-    seen[static_cast<std::size_t>(start)] = 1;
+    seen[start] = 1;
     while (next < order.size()) {
       const auto row = static_cast<std::size_t>(order[next++]);
       const auto first = static_cast<std::ptrdiff_t>(order.size());
       for (int e = row_start_[row]; e < row_start_[row + 1]; ++e) {
-        for (const int other :
-             rows_of_block[static_cast<std::size_t>(entry_block_[static_cast<std::size_t>(e)])]) {
-          if (seen[static_cast<std::size_t>(other)] != 0) continue;
-          seen[static_cast<std::size_t>(other)] = 1;
+        for (const int other : rows_of_block[entry_block_[e]]) {
+          if (seen[other] != 0) continue;
+          seen[other] = 1;
           order.push_back(other);
         }
       }
@@ -103,7 +98,7 @@ void EqualitySolver::find_order(const std::vector<std::vector<int>>& rows_of_blo
     far.clear();
     walk(static_cast<int>(row), far);
     for (const int reached : far)
-      seen[static_cast<std::size_t>(reached)] = 0;
+      seen[reached] = 0;
     walk(far.back(), order_);
   }
   std::ranges::reverse(order_);
@@ -115,11 +110,10 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
   entry_block_ = p.entry_block;
   couplings_.clear();
   const auto rows = static_cast<std::size_t>(p.rows());
-  std::vector<std::vector<int>> rows_of_block(static_cast<std::size_t>(p.blocks()));
+  std::vector<std::vector<int>> rows_of_block(p.blocks());
   for (std::size_t row = 0; row < rows; ++row) {
     for (int e = row_start_[row]; e < row_start_[row + 1]; ++e)
-      rows_of_block[static_cast<std::size_t>(entry_block_[static_cast<std::size_t>(e)])].push_back(
-          static_cast<int>(row));
+      rows_of_block[entry_block_[e]].push_back(static_cast<int>(row));
   }
   find_order(rows_of_block);
   std::vector<std::vector<std::pair<int, int>>> places_of_block(rows_of_block.size());
@@ -127,22 +121,21 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
   start_.assign(rows, 0);
   std::ptrdiff_t size = 0;
   for (int i = 0; i < static_cast<int>(rows); ++i) {
-    const auto row = static_cast<std::size_t>(order_[static_cast<std::size_t>(i)]);
+    const auto row = static_cast<std::size_t>(order_[i]);
     int first = i;
     for (int e = row_start_[row]; e < row_start_[row + 1]; ++e) {
-      auto& others =
-          places_of_block[static_cast<std::size_t>(entry_block_[static_cast<std::size_t>(e)])];
+      auto& others = places_of_block[entry_block_[e]];
       others.emplace_back(i, e);
       for (const auto& [j, f] : others) {
         couplings_.push_back({i, j, e, f});
         first = std::min(first, j);
       }
     }
-    first_[static_cast<std::size_t>(i)] = first;
-    start_[static_cast<std::size_t>(i)] = size - first;
+    first_[i] = first;
+    start_[i] = size - first;
     size += i - first + 1;
   }
-  factor_.resize(static_cast<std::size_t>(size));
+  factor_.resize(size);
   inverse_.resize(rows);
 }
 
@@ -151,11 +144,9 @@ void EqualitySolver::factorise(const QuadraticProgram& p) {
   std::ranges::fill(factor_, 0.0);
   const auto block = static_cast<std::size_t>(p.block_size);
   for (const Coupling& c : couplings_) {
-    const double* g = p.coefficients.data() + static_cast<std::size_t>(c.entry_i) * block;
-    const double* h = p.coefficients.data() + static_cast<std::size_t>(c.entry_j) * block;
-    const double* m =
-        p.mass.data()
-        + static_cast<std::size_t>(entry_block_[static_cast<std::size_t>(c.entry_i)]) * block;
+    const double* g = p.coefficients.data() + c.entry_i * block;
+    const double* h = p.coefficients.data() + c.entry_j * block;
+    const double* m = p.mass.data() + entry_block_[c.entry_i] * block;
     double sum = 0.0;
     for (std::size_t k = 0; k < block; ++k)
       sum += g[k] * h[k] / m[k];
@@ -163,15 +154,14 @@ void EqualitySolver::factorise(const QuadraticProgram& p) {
   }
   dependent_ = 0;
   for (int i = 0; i < p.rows(); ++i) {
-    const int first = first_[static_cast<std::size_t>(i)];
+    const int first = first_[i];
     double* row = &factor_[place(i, first)];
     double squares = 0.0;
     for (int j = first; j < i; ++j) {
-      const int from = std::max(first, first_[static_cast<std::size_t>(j)]);
+      const int from = std::max(first, first_[j]);
       const double* a = row + (from - first);
       const double* b = &factor_[place(j, from)];
-      const double sum =
-          (row[j - first] - dot(a, b, j - from)) * inverse_[static_cast<std::size_t>(j)];
+      const double sum = (row[j - first] - dot(a, b, j - from)) * inverse_[j];
       row[j - first] = sum;
       squares += sum * sum;
     }
@@ -180,7 +170,7 @@ void EqualitySolver::factorise(const QuadraticProgram& p) {
     const bool independent = pivot > dependent_share * diagonal;
     if (!independent) ++dependent_;
     row[i - first] = independent ? std::sqrt(pivot) : 0.0;
-    inverse_[static_cast<std::size_t>(i)] = independent ? 1.0 / row[i - first] : 0.0;
+    inverse_[i] = independent ? 1.0 / row[i - first] : 0.0;
   }
 }
 
@@ -188,16 +178,16 @@ void EqualitySolver::factorise(const QuadraticProgram& p) {
 void EqualitySolver::substitute(std::vector<double>& r) const {
   const int rows = static_cast<int>(r.size());
   for (int i = 0; i < rows; ++i) {
-    double sum = r[static_cast<std::size_t>(i)];
-    for (int j = first_[static_cast<std::size_t>(i)]; j < i; ++j)
-      sum -= at(i, j) * r[static_cast<std::size_t>(j)];
-    r[static_cast<std::size_t>(i)] = sum * inverse_[static_cast<std::size_t>(i)];
+    double sum = r[i];
+    for (int j = first_[i]; j < i; ++j)
+      sum -= at(i, j) * r[j];
+    r[i] = sum * inverse_[i];
   }
   for (int i = rows - 1; i >= 0; --i) {
-    const double x = r[static_cast<std::size_t>(i)] * inverse_[static_cast<std::size_t>(i)];
-    r[static_cast<std::size_t>(i)] = x;
-    for (int j = first_[static_cast<std::size_t>(i)]; j < i; ++j)
-      r[static_cast<std::size_t>(j)] -= at(i, j) * x;
+    const double x = r[i] * inverse_[i];
+    r[i] = x;
+    for (int j = first_[i]; j < i; ++j)
+      r[j] -= at(i, j) * x;
   }
 }
 
@@ -213,7 +203,7 @@ void EqualitySolver::solve(const QuadraticProgram& p,
     double worst = 0.0;
     for (std::size_t i = 0; i < rows; ++i) {
       const int row = order_[i];
-      const double b = p.bound[static_cast<std::size_t>(row)];
+      const double b = p.bound[row];
       const double reached = product(p, row, x);
       residual_[i] = b - reached;
       if (round == 0) scale = std::max({scale, std::abs(b), std::abs(reached)});
@@ -223,7 +213,7 @@ void EqualitySolver::solve(const QuadraticProgram& p,
     substitute(residual_);
     for (std::size_t i = 0; i < rows; ++i) {
       if (residual_[i] == 0.0) continue;
-      multiplier[static_cast<std::size_t>(order_[i])] += residual_[i];
+      multiplier[order_[i]] += residual_[i];
       add_push(p, order_[i], residual_[i], x);
     }
   }

@@ -41,7 +41,7 @@ class EqualitySolver {
   void find_envelope(const QuadraticProgram& program);
   void substitute(std::vector<double>& r) const;
   [[nodiscard]] std::size_t place(int i, int j) const {
-    return static_cast<std::size_t>(start_[static_cast<std::size_t>(i)] + j);
+    return static_cast<std::size_t>(start_[i] + j);
   }
   [[nodiscard]] double& at(int i, int j) { return factor_[place(i, j)]; }
   [[nodiscard]] double at(int i, int j) const { return factor_[place(i, j)]; }

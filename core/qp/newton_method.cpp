@@ -179,7 +179,7 @@ void NewtonMethod::guess_sides(const LeastDistance& problem) {
     const auto known = static_cast<int>(former_side_.size());
     for (std::size_t i = 0; i < rows; ++i) {
       if (const int former = problem.former_row()[i]; former >= 0 && former < known)
-        side_[i] = former_side_[static_cast<std::size_t>(former)];
+        side_[i] = former_side_[former];
     }
   }
   for (std::size_t i = 0; i < rows; ++i) {

@@ -15,11 +15,11 @@ using Eigen::VectorXd;
 class Passive {
  public:
   Passive(const MatrixXd& A, const VectorXd& f)
-      : A_(A), f_(f), u_(VectorXd::Zero(A.cols())), member_(static_cast<std::size_t>(A.cols())) {}
+      : A_(A), f_(f), u_(VectorXd::Zero(A.cols())), member_(A.cols()) {}
 
   [[nodiscard]] const VectorXd& u() const { return u_; }
-  [[nodiscard]] bool has(Index j) const { return member_[static_cast<std::size_t>(j)]; }
-  void insert(Index j) { member_[static_cast<std::size_t>(j)] = true; }
+  [[nodiscard]] bool has(Index j) const { return member_[j]; }
+  void insert(Index j) { member_[j] = true; }
 
   /// Moves to the best point on the set, dropping what would turn negative on the way. False if
   /// `entered` was dropped at once, which only rounding can cause.
@@ -52,7 +52,7 @@ class Passive {
     const double small = 1e-15 * u_.cwiseAbs().maxCoeff();
     for (Index j = 0; j < u_.size(); ++j) {
       if (!has(j) || target[j] > 0.0 || u_[j] > small) continue;
-      member_[static_cast<std::size_t>(j)] = false;
+      member_[j] = false;
       u_[j] = 0.0;
       dropped = true;
     }
@@ -81,12 +81,12 @@ class Passive {
 VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& f, double tolerance) {
   const VectorXd threshold = tolerance * f.norm() * A.colwise().norm().transpose();
   Passive passive(A, f);
-  std::vector<bool> barred(static_cast<std::size_t>(A.cols()), false);
+  std::vector<bool> barred(A.cols(), false);
   for (Index round = 0; round < 10 * A.cols() + 10; ++round) {
     const VectorXd gradient = A.transpose() * (f - A * passive.u());
     Index best = -1;
     for (Index j = 0; j < A.cols(); ++j) {
-      if (!passive.has(j) && !barred[static_cast<std::size_t>(j)] && gradient[j] > threshold[j]
+      if (!passive.has(j) && !barred[j] && gradient[j] > threshold[j]
           && (best < 0 || gradient[j] > gradient[best]))
         best = j;
     }
@@ -95,7 +95,7 @@ VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& f, double
     if (passive.relax(best)) {
       std::fill(barred.begin(), barred.end(), false);
     } else {
-      barred[static_cast<std::size_t>(best)] = true;
+      barred[best] = true;
     }
   }
   return passive.u();

@@ -34,14 +34,14 @@ std::string_view size_defect(const QuadraticProgram& p) {
   if (!std::ranges::is_sorted(p.row_start)) return "the row starts do not increase";
   if (static_cast<std::size_t>(p.entries()) != p.entry_block.size())
     return "the row starts do not fit the entries";
-  if (p.coefficients.size() != p.entry_block.size() * static_cast<std::size_t>(p.block_size))
+  if (p.coefficients.size() != p.entry_block.size() * p.block_size)
     return "the coefficients do not fit the entries";
   return {};
 }
 
 bool repeats_a_block(const QuadraticProgram& p, int row) {
-  const auto first = p.entry_block.begin() + p.row_start[static_cast<std::size_t>(row)];
-  const auto last = p.entry_block.begin() + p.row_start[static_cast<std::size_t>(row) + 1];
+  const auto first = p.entry_block.begin() + p.row_start[row];
+  const auto last = p.entry_block.begin() + p.row_start[row + 1];
   for (auto e = first; e != last; ++e)
     if (std::find(first, e, *e) != e) return true;
   return false;

@@ -44,13 +44,10 @@ struct QuadraticProgram {
   [[nodiscard]] int rows() const { return static_cast<int>(bound.size()); }
   [[nodiscard]] int entries() const { return row_start.back(); }
   [[nodiscard]] bool is_equality(int row) const {
-    return force_min[static_cast<std::size_t>(row)] == -unbounded
-           && force_max[static_cast<std::size_t>(row)] == unbounded;
+    return force_min[row] == -unbounded && force_max[row] == unbounded;
   }
   [[nodiscard]] std::span<const double> entry(int e) const {
-    return {
-        coefficients.data() + static_cast<std::size_t>(e) * static_cast<std::size_t>(block_size),
-        static_cast<std::size_t>(block_size)};
+    return {coefficients.data() + e * block_size, static_cast<std::size_t>(block_size)};
   }
 
   /// Forgets the program and keeps the memory.

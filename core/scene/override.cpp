@@ -52,7 +52,7 @@ class Override {
   Override(int index, const SceneSource& source) : place_{0, 0, index}, source_(source) {}
 
   void apply(Value& document) const {
-    const std::string_view text = source_.overrides[static_cast<std::size_t>(place_.override_at)];
+    const std::string_view text = source_.overrides[place_.override_at];
     if (const auto fault = find_text_fault(text, SceneLanguage::toml)) fail(fault->message);
     const std::size_t equals = text.find('=');
     const std::string_view path = trimmed(text.substr(0, equals));

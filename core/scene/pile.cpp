@@ -30,10 +30,10 @@ class Grid {
     const double most = 2.0 * std::sqrt(static_cast<double>(expected)) + 1.0;
     for (int axis = 0; axis < 2; ++axis) {
       const double cells = std::clamp(std::floor(extent[axis] / least_cell), 1.0, std::floor(most));
-      count_[static_cast<std::size_t>(axis)] = static_cast<int>(cells);
+      count_[axis] = static_cast<int>(cells);
       cell_[axis] = extent[axis] / cells;
     }
-    cells_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]));
+    cells_.resize(count_[0] * count_[1]);
   }
 
   void add(const Box& box, double margin) {
@@ -52,16 +52,15 @@ class Grid {
   /// Whether no box is nearer to `box` than `clearance`.
   bool is_clear(const Box& box, double clearance) {
     return visit(box, 0.0, [&](const std::vector<int>& cell) {
-      return std::none_of(cell.begin(), cell.end(), [&](int i) {
-        return separation(box, boxes_[static_cast<std::size_t>(i)]) < clearance;
-      });
+      return std::none_of(cell.begin(), cell.end(),
+                          [&](int i) { return separation(box, boxes_[i]) < clearance; });
     });
   }
 
  private:
   [[nodiscard]] int cell_of(double place, int axis) const {
     const double cell = std::floor((place - low_[axis]) / cell_[axis]);
-    return static_cast<int>(std::clamp(cell, 0.0, count_[static_cast<std::size_t>(axis)] - 1.0));
+    return static_cast<int>(std::clamp(cell, 0.0, count_[axis] - 1.0));
   }
 
   /// Calls `action` for the cells that the bounds of `box`, widened by `margin`, meet, until it
@@ -76,7 +75,7 @@ class Grid {
     for (int row = cell_of(low.y(), 1); row <= last_row; ++row) {
       for (int column = cell_of(low.x(), 0); column <= last_column; ++column) {
         const int cell = row * count_[0] + column;
-        if (!action(cells_[static_cast<std::size_t>(cell)])) return false;
+        if (!action(cells_[cell])) return false;
       }
     }
     return true;

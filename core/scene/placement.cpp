@@ -30,10 +30,8 @@ class Placement {
  private:
   enum class State { open, on_the_way, placed };
 
-  [[nodiscard]] const Group& group(int i) const {
-    return groups_.all()[static_cast<std::size_t>(i)];
-  }
-  State& state(int i) { return state_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Group& group(int i) const { return groups_.all()[i]; }
+  State& state(int i) { return state_[i]; }
 
   void place_chain(int start) {
     std::vector<int> chain;

@@ -204,7 +204,7 @@ class SceneBuilder {
     number = 0;
     for (const PileEntry& pile : entries_.piles) {
       const Brick brick{Vec2::Zero(), pile.size.extent, 1.0};
-      const std::vector<Brick> bricks(static_cast<std::size_t>(pile.count), brick);
+      const std::vector<Brick> bricks(pile.count, brick);
       add_generated(pile, bricks, nullptr, fmt::format("pile{}", ++number));
     }
   }

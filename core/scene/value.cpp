@@ -61,7 +61,7 @@ void SceneSource::fail(const Place& place,
                        const std::string& message) const {
   std::string where = name;
   if (place.override_at >= 0) {
-    where = "--set " + overrides[static_cast<std::size_t>(place.override_at)];
+    where = "--set " + overrides[place.override_at];
   } else if (place.line > 0) {
     where += fmt::format(":{}:{}", place.line, place.column);
   }

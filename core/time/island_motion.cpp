@@ -35,9 +35,9 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
 }
 
 int root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    int& up = parent[static_cast<std::size_t>(i)];
-    up = parent[static_cast<std::size_t>(up)];
+  while (parent[i] != i) {
+    int& up = parent[i];
+    up = parent[up];
     i = up;
   }
   return i;
@@ -46,7 +46,7 @@ int root(std::vector<int>& parent, int i) {
 void unite(std::vector<int>& parent, int i, int j) {
   const int a = root(parent, i);
   const int b = root(parent, j);
-  parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  parent[std::max(a, b)] = std::min(a, b);
 }
 
 void add_cost(const Cost& more, Cost& cost) {
@@ -76,7 +76,7 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
   length_ = first_window * scales_.time;
   budget_ = drift_share * settings.tolerance
             * (kinetic_energy(system, moment_.state) + scales_.weight * scales_.length);
-  bounds_.resize(static_cast<std::size_t>(system.cubes));
+  bounds_.resize(system.cubes);
   group_of_.assign(moment_.state.size(), -1);
   resting_.assign(moment_.state.size(), 0);
   stepping_.resize(moment_.state.size());
@@ -146,7 +146,7 @@ State IslandMotion::state_at(double t) {
   for (Group& group : groups_) {
     const State part = group.track->at(t);
     for (std::size_t k = 0; k < part.size(); ++k)
-      state[static_cast<std::size_t>(group.cubes[k])] = part[k];
+      state[group.cubes[k]] = part[k];
   }
   return state;
 }
@@ -156,8 +156,7 @@ void IslandMotion::note_loaded() {
   for (const Group& group : groups_) {
     const int cubes = static_cast<int>(group.cubes.size());
     const auto of_all = [&](int body) {
-      return body < cubes ? group.cubes[static_cast<std::size_t>(body)]
-                          : body - cubes + system_->cubes;
+      return body < cubes ? group.cubes[body] : body - cubes + system_->cubes;
     };
     for (Contact c : group.track->loaded_at(time_)) {
       c.on = of_all(c.on);
@@ -201,12 +200,12 @@ void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
   parts.clear();
   std::vector<int> number(bounds_.size(), -1);
   for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) {
-    int& k = number[static_cast<std::size_t>(root(parent, i))];
+    int& k = number[root(parent, i)];
     if (k < 0) {
       k = static_cast<int>(parts.size());
       parts.emplace_back();
     }
-    parts[static_cast<std::size_t>(k)].push_back(i);
+    parts[k].push_back(i);
   }
 }
 
@@ -328,14 +327,14 @@ bool IslandMotion::join_those_that_met(const State& state) {
     part.assign(group.cubes.size(), {Vec2::Constant(forever), Vec2::Constant(-forever)});
     group.track->sweep(begin_, part);
     for (std::size_t m = 0; m < part.size(); ++m)
-      bounds_[static_cast<std::size_t>(group.cubes[m])] = part[m];
+      bounds_[group.cubes[m]] = part[m];
   }
   std::vector<int> parent(groups_.size());
   std::iota(parent.begin(), parent.end(), 0);
   bool met = false;
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    const int a = group_of_[static_cast<std::size_t>(pair.first)];
-    const int b = group_of_[static_cast<std::size_t>(pair.second)];
+    const int a = group_of_[pair.first];
+    const int b = group_of_[pair.second];
     if (root(parent, a) == root(parent, b)) continue;
     unite(parent, a, b);
     met = true;
@@ -343,7 +342,7 @@ bool IslandMotion::join_those_that_met(const State& state) {
   if (!met) return false;
   std::vector<std::vector<int>> parts(groups_.size());
   for (std::size_t i = 0; i < group_of_.size(); ++i)
-    parts[static_cast<std::size_t>(root(parent, group_of_[i]))].push_back(static_cast<int>(i));
+    parts[root(parent, group_of_[i])].push_back(static_cast<int>(i));
   std::erase_if(parts, [](const std::vector<int>& p) { return p.empty(); });
   std::ranges::sort(parts);
   regroup(state, parts);

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/time/motion.h"
-#include "core/time/stepper.h"
+#include "core/time/reference/stepper.h"
 #include "core/time/track.h"
 
 namespace wuerfel {

@@ -13,7 +13,7 @@ Scales scales_of(const System& system, const State& state) {
   scales.length = std::numeric_limits<double>::max();
   for (int i = 0; i < system.cubes; ++i) {
     const Body& body = system.body(i);
-    const BodyState& s = state[static_cast<std::size_t>(i)];
+    const BodyState& s = state[i];
     scales.length = std::min(scales.length, body.size.minCoeff());
     mass += body.mass;
     fastest = std::max(fastest, s.velocity.norm() + 0.5 * body.size.norm() * std::abs(s.spin));

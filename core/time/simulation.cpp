@@ -5,7 +5,7 @@
 
 #include "core/time/first_moment.h"
 #include "core/time/island_motion.h"
-#include "core/time/stepped_motion.h"
+#include "core/time/reference/stepped_motion.h"
 #include "core/time/take_snapshot.h"
 
 namespace wuerfel {

@@ -18,15 +18,15 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
     box.name = body.name;
     box.size = body.size;
     if (system.is_cube(i)) {
-      const BodyState& s = state[static_cast<std::size_t>(i)];
+      const BodyState& s = state[i];
       box.center = s.position;
       box.angle = s.angle;
       box.velocity = s.velocity;
       box.spin = s.spin;
       box.color_index = i;
-      box.color = scene.cubes[static_cast<std::size_t>(i)].color;
+      box.color = scene.cubes[i].color;
     } else {
-      const SceneFixed& fixed = scene.fixed[static_cast<std::size_t>(i - system.cubes)];
+      const SceneFixed& fixed = scene.fixed[i - system.cubes];
       box.center = fixed.position;
       box.angle = fixed.angle;
       box.fixed = true;
@@ -65,15 +65,14 @@ void add_rods(const System& system,
     tension = rod_forces(system, moment.state, cube, moment.accelerations[n], contacts, forces);
   }
   for (std::size_t m = 0; m < cube_rods.size(); ++m) {
-    snapshot.rods.push_back({points.p[static_cast<std::size_t>(cube_rods[m].i)],
-                             points.p[static_cast<std::size_t>(cube_rods[m].j)], tension[m]});
+    snapshot.rods.push_back({points.p[cube_rods[m].i], points.p[cube_rods[m].j], tension[m]});
   }
 }
 
 void add_points(const System& system, const State& state, Snapshot& snapshot) {
   for (int i = 0; i < system.cubes; ++i) {
     const Body& body = system.body(i);
-    const CubePoints points = points_of(state[static_cast<std::size_t>(i)], body.size);
+    const CubePoints points = points_of(state[i], body.size);
     const auto masses = mass_distribution(body.size, body.mass);
     for (std::size_t k = 0; k < masses.size(); ++k) {
       snapshot.points.push_back({points.p[k], masses[k].mass});
@@ -102,8 +101,8 @@ void add_sides(const System& system, const State& state, Snapshot& snapshot) {
   for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
     if (!system.is_cube(pair.first)) continue;
     const Contact c = nearest_corner(boxes, pair.first, pair.second);
-    const Vec2 p_i = boxes[static_cast<std::size_t>(c.from)].center + c.arm_i;
-    const Vec2 p_j = boxes[static_cast<std::size_t>(c.from)].center + c.arm_j;
+    const Vec2 p_i = boxes[c.from].center + c.arm_i;
+    const Vec2 p_j = boxes[c.from].center + c.arm_j;
     snapshot.sides.push_back({p_i, p_j, c.point, side_area(p_i, p_j, c.point)});
   }
 }
@@ -130,7 +129,7 @@ Snapshot take_snapshot(const Scene& scene,
     if (with_forces) {
       std::vector<Twist> accelerations;
       for (const int cube : island.cubes)
-        accelerations.push_back(moment.accelerations[static_cast<std::size_t>(cube)]);
+        accelerations.push_back(moment.accelerations[cube]);
       forces = canonical_forces(system, moment.felt, island, accelerations, moment.solutions[m],
                                 Uniqueness::ignored)
                    .force;
@@ -138,14 +137,14 @@ Snapshot take_snapshot(const Scene& scene,
     if (request.forces) add_forces(system, island, forces, snapshot);
     if (request.contacts) add_contacts(island, snapshot);
     for (const int cube : island.cubes) {
-      in_island[static_cast<std::size_t>(cube)] = 1;
+      in_island[cube] = 1;
       if (request.rods) {
         add_rods(system, moment, cube, island.contacts, forces, request.rod_forces, snapshot);
       }
     }
   }
   for (int i = 0; i < system.cubes && request.rods; ++i) {
-    if (in_island[static_cast<std::size_t>(i)] == 0) {
+    if (in_island[i] == 0) {
       add_rods(system, moment, i, {}, {}, request.rod_forces, snapshot);
     }
   }

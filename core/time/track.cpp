@@ -194,7 +194,7 @@ std::vector<Contact> Track::loaded_at(double t) const {
   const std::ptrdiff_t k = piece_at(t);
   // At the clock of a stepping it is the last step.
   if (k < 0 && (!stepping_ || pieces_.empty())) return {};
-  const MotionPiece& piece = k < 0 ? pieces_.back() : pieces_[static_cast<std::size_t>(k)];
+  const MotionPiece& piece = k < 0 ? pieces_.back() : pieces_[k];
   return piece.kind == MotionPiece::Kind::stepped ? piece.closed : std::vector<Contact>{};
 }
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <memory>
 
-#include "core/time/controlled_stepping.h"
-#include "core/time/event_motion.h"
-#include "core/time/step_look.h"
+#include "core/time/events/event_motion.h"
+#include "core/time/stepping/controlled_stepping.h"
+#include "core/time/stepping/step_look.h"
 
 namespace wuerfel {
 

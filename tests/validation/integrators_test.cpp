@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/time/dop853.h"
+#include "core/time/events/dop853.h"
 #include "core/time/simulation.h"
 #include "tests/support/reference_case.h"
 

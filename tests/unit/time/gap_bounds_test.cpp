@@ -1,11 +1,11 @@
 // What the search for events relies on: derivatives of what it watches, and bounds that hold.
-#include "core/time/gap_bounds.h"
+#include "core/time/events/gap_bounds.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "core/time/dop853.h"
+#include "core/time/events/dop853.h"
 #include "tests/support/random_motion.h"
 
 namespace wuerfel::test {

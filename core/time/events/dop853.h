@@ -1,0 +1,78 @@
+/// The embedded Runge-Kutta method of order 8 with error estimates of orders 5 and 3 and dense
+/// output of order 7: DOP853 of Dormand and Prince (Hairer, Norsett, Wanner, "Solving Ordinary
+/// Differential Equations I", 2nd ed., section II.10).
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace wuerfel {
+
+/// y' = f(y).
+class VectorField {
+ public:
+  virtual ~VectorField() = default;
+  /// `y` and `rate` have the same size.
+  virtual void operator()(const std::vector<double>& y, std::vector<double>& rate) = 0;
+};
+
+/// One step as a polynomial in the share s of the step, 0 <= s <= 1.
+class DenseStep {
+ public:
+  static constexpr int terms = 8;
+  /// Values at the share `s`; `y` must have the size of the state.
+  void at(double s, std::vector<double>& y) const;
+  /// Component i at the share s.
+  [[nodiscard]] double component(double s, std::size_t i) const {
+    const double* c = &coefficients[i * terms];
+    const double r = 1.0 - s;
+    return c[0]
+           + s * (c[1] + r * (c[2] + s * (c[3] + r * (c[4] + s * (c[5] + r * (c[6] + s * c[7]))))));
+  }
+  /// Derivative of component i by s.
+  [[nodiscard]] double slope(double s, std::size_t i) const {
+    const double* c = &coefficients[i * terms];
+    const double r = 1.0 - s;
+    double value = c[7];
+    double rate = 0.0;
+    for (int k = 6; k >= 1; --k) {
+      const bool falls = k % 2 != 0;  // the factor is r
+      rate = falls ? r * rate - value : s * rate + value;
+      value = c[k] + (falls ? r : s) * value;
+    }
+    return s * rate + value;
+  }
+
+  std::vector<double> coefficients;  ///< `terms` for each component
+};
+
+/// Takes steps and keeps its stages from step to step.
+class Dop853 {
+ public:
+  static constexpr int stages = 12;
+
+  /// A step of length h from `y`, where `rate` = f(y). The result is `next()`.
+  void step(VectorField& field,
+            const std::vector<double>& y,
+            const std::vector<double>& rate,
+            double h);
+  [[nodiscard]] const std::vector<double>& next() const { return next_; }
+  /// Error estimate of the last step relative to `scale` (same size as the state), largest
+  /// component; at most 1 where the step may be accepted for a tolerance of 1.
+  [[nodiscard]] double error(const std::vector<double>& scale) const;
+  /// The last step as a polynomial; `next_rate` = f(next()). Three more evaluations.
+  void dense(VectorField& field,
+             const std::vector<double>& y,
+             const std::vector<double>& next_rate,
+             DenseStep& result);
+  /// Rates at the stages of the last step, in the order of the method.
+  [[nodiscard]] const std::vector<double>& stage(int i) const { return k_[i]; }
+
+ private:
+  std::array<std::vector<double>, stages + 4> k_;  ///< the 12, f(next), and 3 for dense output
+  std::vector<double> y_;
+  std::vector<double> next_;
+  double h_ = 0.0;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,42 @@
+/// Time stepping with steps as long as their error, their energy and their overlap allow.
+#pragma once
+
+#include "core/time/stepping/rattle_stepper.h"
+
+namespace wuerfel {
+
+class ControlledStepping {
+ public:
+  ControlledStepping(const System& system, const MotionSettings& settings);
+
+  /// Goes on from `state` with a first step of `first` s; none is longer than `longest`.
+  void begin(const State& state, double first, double longest);
+  /// One step from time t, at most to `end`; returns where it ends.
+  double advance(double t, double end, Bookkeeping& book);
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Contacts that carried load in the last step.
+  [[nodiscard]] std::vector<Contact> loaded() const { return stepper_.loaded(); }
+  /// Whether nothing moves faster than `speed` (m/s).
+  [[nodiscard]] bool is_slower_than(double speed) const;
+  /// The state with the gaps closed of contacts that carried load in the last step.
+  [[nodiscard]] State with_closed_gaps();
+
+ private:
+  [[nodiscard]] double in_motion(const State& state) const;
+  double take_step(State& next, double t, double h, Bookkeeping& book);
+
+  const System* system_;
+  RattleStepper stepper_;
+  Scales scales_;
+  double allowed_error_ = 0.0;  ///< of a step, as a share of the smallest side
+  State state_;
+  double step_ = 0.0;     ///< s, proposed for the next step
+  double longest_ = 0.0;  ///< s, of a step
+  /// J, energy of the beginning less what impacts have taken. That of second order steps sways
+  /// about its true value; it may exceed the ceiling by `sway_` times what is in motion.
+  double ceiling_ = 0.0;
+  double sway_ = 0.0;
+  double rise_ = 0.0;  ///< of the last step, as a share of what may be borne
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,91 @@
+#include "core/time/stepping/near_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+
+void NearContacts::begin(const State& state, double h, double gravity) {
+  step_ = h;
+  gravity_ = gravity;
+  pose_boxes(*system_, state, start_);
+  spin_.assign(start_.size(), 0.0);
+  for (std::size_t i = 0; i < state.size(); ++i)
+    spin_[i] = std::abs(state[i].spin);
+}
+
+void NearContacts::find_towards(const State& end, double reach, std::vector<Contact>& contacts) {
+  find(end, reach, start_, contacts);
+}
+
+void NearContacts::find_at(const State& end, double reach, std::vector<Contact>& contacts) {
+  find(end, reach, end_, contacts);
+}
+
+void NearContacts::find(const State& end,
+                        double reach,
+                        const std::vector<Box>& measured,
+                        std::vector<Contact>& contacts) {
+  pose_boxes(*system_, end, end_);
+  contacts.clear();
+  bounds_.clear();
+  for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const auto extent = [&](const Box& box) {
+      return Vec2(box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
+                  + Vec2::Constant(reach * box.smaller_side()));
+    };
+    const Box& a = start_[at];
+    const Box& b = end_[at];
+    bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
+                       (a.center + extent(a)).cwiseMax(b.center + extent(b))});
+  }
+  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
+    if (!system_->is_cube(pair.first)) continue;
+    const auto i = static_cast<std::size_t>(pair.first);
+    const auto j = static_cast<std::size_t>(pair.second);
+    const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
+    const FacingSide side = separating_side(start_, end_, pair.first, pair.second);
+    if (side.separation >= reach * scale) continue;
+    // Sides that may become flush within the step: a second corner on sides that are not gives a
+    // false impulse when a corner passes the end of an edge.
+    const double flush =
+        2.0 * step_ * (spin_[i] + spin_[j]) + 30.0 * gravity_ * step_ * step_ / scale;
+    add_near_contacts(measured, side, flush, contacts);
+  }
+  add_planes(reach, measured, contacts);
+}
+
+void NearContacts::add_planes(double reach,
+                              const std::vector<Box>& measured,
+                              std::vector<Contact>& contacts) const {
+  for (int p = 0; p < system_->count(); ++p) {
+    if (system_->body(p).kind != BodyKind::plane) continue;
+    for (int i = 0; i < system_->cubes; ++i)
+      add_corners(i, p, reach, measured, contacts);
+  }
+}
+
+/// Corners of a cube that come near to a plane.
+void NearContacts::add_corners(int cube,
+                               int plane,
+                               double reach,
+                               const std::vector<Box>& measured,
+                               std::vector<Contact>& contacts) const {
+  const auto at = static_cast<std::size_t>(cube);
+  const Body& solid = system_->body(plane);
+  const double near = reach * start_[at].smaller_side();
+  for (int k = 0; k < 4; ++k) {
+    const auto gap = [&](const Box& box) {
+      return solid.normal.dot((box.center - solid.point) + box.arm[k]);
+    };
+    if (gap(start_[at]) >= near && gap(end_[at]) >= near) continue;
+    Contact c;
+    c.on = cube;
+    c.from = plane;
+    c.corner = k;
+    contacts.push_back(at_poses(*system_, measured, c));
+  }
+}
+
+}  // namespace wuerfel
