@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/constraints/manifold.h"
 
 namespace wuerfel {
 namespace {
-
-double smaller_side(const System& system, int i) {
-  const Body& body = system.body(i);
-  return body.kind == BodyKind::plane ? std::numeric_limits<double>::max() : body.size.minCoeff();
-}
 
 /// The contact of corner k of a box with a plane. The plane has no ends: the side is placed under
 /// the corner.
@@ -71,7 +65,7 @@ double gap_rate(const Contact& contact, const ContactVelocity& v) {
 }
 
 double contact_scale(const System& system, const Contact& contact) {
-  return std::min(smaller_side(system, contact.on), smaller_side(system, contact.from));
+  return std::min(system.body(contact.on).smaller_side(), system.body(contact.from).smaller_side());
 }
 
 ContactMotion contact_motion(const System& system, const State& state, const Contact& contact) {
@@ -105,8 +99,8 @@ void ContactFinder::find(const System& system,
   int boxes = 0;
   for (; boxes < system.count() && system.body(boxes).kind != BodyKind::plane; ++boxes) {
     const Box& box = boxes_[boxes];
-    const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                        + Vec2::Constant(std::max(tolerance * smaller_side(system, boxes),
+    const Vec2 extent = box.extent()
+                        + Vec2::Constant(std::max(tolerance * system.body(boxes).smaller_side(),
                                                   gap_rounding(box.center, box.center)));
     bounds_.push_back({box.center - extent, box.center + extent});
   }
@@ -116,7 +110,7 @@ void ContactFinder::find(const System& system,
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
     if (!system.is_cube(pair.first)) continue;
     const double scale =
-        std::min(smaller_side(system, pair.first), smaller_side(system, pair.second));
+        std::min(system.body(pair.first).smaller_side(), system.body(pair.second).smaller_side());
     note(add_touching_contacts(system, state, boxes_, pair.first, pair.second, tolerance * scale,
                                contacts),
          scale, pair.first, pair.second);
@@ -125,7 +119,7 @@ void ContactFinder::find(const System& system,
     const Body& plane = system.body(p);
     for (int i = 0; i < system.cubes; ++i) {
       const Box& box = boxes_[i];
-      const double scale = smaller_side(system, i);
+      const double scale = system.body(i).smaller_side();
       const double separation = plane_separation(plane.point, plane.normal, box);
       const double touching = std::max(tolerance * scale, gap_rounding(box.center, plane.point));
       if (separation > touching) continue;

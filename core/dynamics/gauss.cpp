@@ -48,6 +48,12 @@ double slack(const QuadraticProgram& program, std::size_t row, const std::vector
 
 }  // namespace
 
+double IslandSolution::largest_force() const {
+  return forces.empty() ? 0.0 : std::ranges::max(forces);
+}
+
+double IslandSolution::least_pressing() const { return pressing_share * largest_force(); }
+
 IslandDynamics::IslandDynamics(const System& system,
                                const MotionSettings& settings,
                                const ProgramTolerances& tolerances)
@@ -228,8 +234,7 @@ bool accelerations_vanish(const System& system,
                           const IslandSolution& solution,
                           double gravity) {
   if (solution.status != QpStatus::optimal) return false;
-  const double left =
-      solution.forces.empty() ? 0.0 : solution.residual * std::ranges::max(solution.forces);
+  const double left = solution.residual * solution.largest_force();
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
     const Body& body = system.body(island.cubes[k]);
     const Twist& a = solution.twists[k];

@@ -21,6 +21,12 @@ struct [[nodiscard]] IslandSolution {
   /// Per contact: J x - b, which is the gap's second rate (m/s^2), its rate or the gap itself;
   /// infinite where the contact is not active.
   std::vector<double> slacks;
+
+  /// 0 where there is no contact.
+  [[nodiscard]] double largest_force() const;
+  /// A contact presses where its force is greater than this: 1e-9 of the largest, which a solver may
+  /// leave at contacts that don't.
+  [[nodiscard]] double least_pressing() const;
 };
 
 /// How exactly programs of more than a few cubes are solved: bounds of QpResidual::worst(). Small

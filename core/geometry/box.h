@@ -28,6 +28,8 @@ struct Box {
   [[nodiscard]] double reach(int e) const { return (e & 1) != 0 ? half.x() : half.y(); }
   /// Length of side e.
   [[nodiscard]] double length(int e) const { return 2.0 * ((e & 1) != 0 ? half.y() : half.x()); }
+  /// Half width and half height of its bounds along the axes of the world, m.
+  [[nodiscard]] Vec2 extent() const { return arm[2].cwiseAbs().cwiseMax(arm[1].cwiseAbs()); }
   [[nodiscard]] double smaller_side() const { return 2.0 * half.minCoeff(); }
 };
 

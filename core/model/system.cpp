@@ -1,6 +1,51 @@
 #include "core/model/system.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wuerfel {
+namespace {
+
+/// Numbers the bodies and takes over what the scene says of pairs.
+void set_surfaces(const Scene& scene, System& system) {
+  for (int i = 0; i < system.count(); ++i)
+    system.bodies[i].number = i;
+  for (const ScenePair& pair : scene.pairs) {
+    const auto number = [&](const std::string& name) {
+      const auto found = std::ranges::find(system.bodies, name, &Body::name);
+      return static_cast<int>(found - system.bodies.begin());
+    };
+    const int i = number(pair.bodies[0]);
+    const int j = number(pair.bodies[1]);
+    const Material mean = system.surface(i, j);
+    system.pairs[std::minmax(i, j)] = {pair.friction.value_or(mean.friction),
+                                       pair.restitution.value_or(mean.restitution)};
+  }
+  // Two bodies of which one moves.
+  const auto any_pair = [&](double Material::*value) {
+    const auto has = [&](const Body& body) { return body.material.*value > 0.0; };
+    const auto first_fixed = system.bodies.begin() + system.cubes;
+    return (std::any_of(system.bodies.begin(), first_fixed, has)
+            && std::ranges::count_if(system.bodies, has) > 1)
+           || std::ranges::any_of(system.pairs,
+                                  [&](const auto& pair) { return pair.second.*value > 0.0; });
+  };
+  system.rubs = any_pair(&Material::friction);
+  system.bounces = any_pair(&Material::restitution);
+}
+
+}  // namespace
+
+Material System::surface(int i, int j) const {
+  const Body& a = body(i);
+  const Body& b = body(j);
+  if (!pairs.empty()) {
+    const auto named = pairs.find(std::minmax(a.number, b.number));
+    if (named != pairs.end()) return named->second;
+  }
+  return {std::sqrt(a.material.friction * b.material.friction),
+          std::sqrt(a.material.restitution * b.material.restitution)};
+}
 
 System make_system(const Scene& scene) {
   System system;
@@ -14,6 +59,7 @@ System make_system(const Scene& scene) {
     body.size = cube.size;
     body.mass = cube.mass;
     body.inertia = cube.mass * cube.size.squaredNorm() / 12.0;
+    body.material = cube.material;
     system.bodies.push_back(std::move(body));
   }
   for (const SceneFixed& fixed : scene.fixed) {
@@ -22,6 +68,7 @@ System make_system(const Scene& scene) {
     body.kind = BodyKind::fixed;
     body.size = fixed.size;
     body.box = make_box(fixed.position, fixed.angle, fixed.size);
+    body.material = fixed.material;
     system.bodies.push_back(std::move(body));
   }
   for (const ScenePlane& plane : scene.planes) {
@@ -30,9 +77,15 @@ System make_system(const Scene& scene) {
     body.kind = BodyKind::plane;
     body.point = plane.point;
     body.normal = plane.normal.normalized();
+    body.material = plane.material;
     system.bodies.push_back(std::move(body));
   }
+  set_surfaces(scene, system);
   return system;
+}
+
+double fastest_corner(const Body& body, const BodyState& state) {
+  return state.velocity.norm() + body.radius() * std::abs(state.spin);
 }
 
 State initial_state(const Scene& scene) {
@@ -52,13 +105,15 @@ void pose_boxes(const System& system, const State& state, std::vector<Box>& boxe
   }
 }
 
+double kinetic_energy(const Body& body, const BodyState& state) {
+  return 0.5 * body.mass * state.velocity.squaredNorm()
+         + 0.5 * body.inertia * state.spin * state.spin;
+}
+
 double kinetic_energy(const System& system, const State& state) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Body& body = system.bodies[i];
-    sum += 0.5 * body.mass * state[i].velocity.squaredNorm()
-           + 0.5 * body.inertia * state[i].spin * state[i].spin;
-  }
+  for (std::size_t i = 0; i < state.size(); ++i)
+    sum += kinetic_energy(system.bodies[i], state[i]);
   return sum;
 }
 

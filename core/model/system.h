@@ -1,7 +1,10 @@
 /// The system of cubes (System von Würfeln): what does not change while it moves.
 #pragma once
 
+#include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/box.h"
@@ -20,6 +23,15 @@ struct Body {
   Box box;                      ///< pose of a fixed box
   Vec2 point = Vec2::Zero();    ///< m; of planes
   Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid; of planes
+  Material material;
+  int number = 0;  ///< in the whole scene, also where only a part of its cubes is looked at
+
+  /// Distance of the corners from the centre, m; of boxes.
+  [[nodiscard]] double radius() const { return 0.5 * size.norm(); }
+  /// Length by which tolerances of a body are measured, m; without bound for a plane.
+  [[nodiscard]] double smaller_side() const {
+    return kind == BodyKind::plane ? std::numeric_limits<double>::max() : size.minCoeff();
+  }
 };
 
 /// Bodies are numbered: cubes first, in the order of the scene, then fixed boxes, then planes.
@@ -32,6 +44,14 @@ struct System {
   [[nodiscard]] const Body& body(int i) const { return bodies[i]; }
   [[nodiscard]] bool is_cube(int i) const { return i < cubes; }
   [[nodiscard]] int count() const { return static_cast<int>(bodies.size()); }
+
+  /// Surfaces of pairs that the scene names, by Body::number, the smaller first.
+  std::map<std::pair<int, int>, Material> pairs;
+  bool rubs = false;     ///< whether any pair has friction
+  bool bounces = false;  ///< whether any pair has restitution
+  /// Friction and restitution of two bodies: what the scene says of the pair, else the geometric
+  /// means of their own.
+  [[nodiscard]] Material surface(int i, int j) const;
 };
 
 System make_system(const Scene& scene);
@@ -42,7 +62,11 @@ State initial_state(const Scene& scene);
 /// Poses of all boxes, cubes and fixed, numbered as bodies; planes have an empty box.
 void pose_boxes(const System& system, const State& state, std::vector<Box>& boxes);
 
-/// Kinetic energy, J.
+/// Largest speed that a corner of a box may have, m/s: |v| + |omega| times half the diagonal.
+double fastest_corner(const Body& body, const BodyState& state);
+
+/// Kinetic energy of a cube, and of all, J.
+double kinetic_energy(const Body& body, const BodyState& state);
 double kinetic_energy(const System& system, const State& state);
 
 /// Kinetic and potential energy, J; zero height is the origin.

@@ -28,6 +28,9 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   part.title = whole.title;
   part.gravity = whole.gravity;
   part.cubes = static_cast<int>(cubes.size());
+  part.pairs = whole.pairs;
+  part.rubs = whole.rubs;
+  part.bounces = whole.bounces;
   for (const int cube : cubes)
     part.bodies.push_back(whole.body(cube));
   part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
@@ -174,8 +177,7 @@ void IslandMotion::predict(const State& state, double length) {
     const BodyState& s = state[i];
     if (length == 0.0 || resting_[i] != 0) {
       const Box box = make_box(s.position, s.angle, body.size);
-      const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                          + Vec2::Constant(margin_share * box.smaller_side());
+      const Vec2 extent = box.extent() + Vec2::Constant(margin_share * box.smaller_side());
       bounds_[i] = {s.position - extent, s.position + extent};
       continue;
     }

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/impact.h"
 #include "core/time/events/contact_changes.h"
 
 namespace wuerfel {
 namespace {
 
-/// A contact was hit where its impulse exceeds this share of the island's largest.
-constexpr double hit_share = 1e-9;
 constexpr int most_separations = 4;
 /// Overlap deeper than this share of the smaller side is removed.
 constexpr double overlap_share = 1e-13;
@@ -77,10 +76,8 @@ void ContactLaw::apply_island(
       std::ranges::any_of(island.cubes, [&](int cube) { return closure.resting[cube] != 0; });
   for (const int cube : island.cubes)
     closure.resting[cube] = 0;
-  const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-    return contact_motion(*system_, state, c) == ContactMotion::closing;
-  });
-  const bool hit = closing && strike(island, state, t, book);
+  const bool hit = closes(*system_, state, island);
+  if (hit) strike(island, state, t, book);
   if (comes_to_rest(island, state, book)) {
     for (std::size_t k = 0; k < island.cubes.size(); ++k) {
       const int cube = island.cubes[k];
@@ -150,21 +147,19 @@ bool ContactLaw::add_overlapping(const State& state) {
   return !found_.empty();
 }
 
-bool ContactLaw::strike(const Island& island, State& state, double t, Bookkeeping& book) {
-  const double before = kinetic_energy(*system_, state);
-  const IslandSolution after = dynamics_.impact(state, island);
+void ContactLaw::strike(const Island& island, State& state, double t, Bookkeeping& book) {
+  const auto [after, taken] = impact(*system_, state, island, dynamics_);
   keep_book(after, book);
   set_velocities(island, after.twists, state);
-  double loss = before - kinetic_energy(*system_, state);
-  const double largest = std::ranges::max(after.forces);
+  double loss = taken;
+  const double least = after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
-    if (after.forces[k] <= hit_share * largest) continue;
+    if (after.forces[k] <= least) continue;
     book.events.push_back({t, EventKind::impact, system_->body(c.on).name,
                            system_->body(c.from).name, c.point, after.forces[k], loss});
     loss = 0.0;
   }
-  return true;
 }
 
 bool ContactLaw::comes_to_rest(const Island& island, State& state, Bookkeeping& book) {
@@ -172,9 +167,7 @@ bool ContactLaw::comes_to_rest(const Island& island, State& state, Bookkeeping& 
   std::vector<BodyState> moving;
   for (const int cube : island.cubes) {
     BodyState& s = state[cube];
-    const double speed =
-        s.velocity.norm() + 0.5 * system_->body(cube).size.norm() * std::abs(s.spin);
-    if (speed > limits_.rest_speed * scales_.speed) return false;
+    if (fastest_corner(system_->body(cube), s) > limits_.rest_speed * scales_.speed) return false;
     moving.push_back(s);
   }
   for (const int cube : island.cubes) {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/dynamics/gauss.h"
+#include "core/model/scales.h"
 #include "core/time/bookkeeping.h"
-#include "core/time/scales.h"
 
 namespace wuerfel {
 
@@ -41,7 +41,7 @@ class ContactLaw {
   void separate(State& state, const std::vector<char>& resting, Bookkeeping& book);
   bool add_overlapping(const State& state);
   [[nodiscard]] bool overlaps(const Contact& c) const;
-  bool strike(const Island& island, State& state, double t, Bookkeeping& book);
+  void strike(const Island& island, State& state, double t, Bookkeeping& book);
   IslandSolution settle_contacts(const Island& island,
                                  const State& state,
                                  bool after_impact,

@@ -30,11 +30,8 @@ double larger(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
 EventSearch::EventSearch(const System& system) : system_(&system), view_(system) {}
 
 double EventSearch::zero(const Watch& watch) const {
-  const Body& on = system_->body(watch.on);
-  const Body& from = system_->body(watch.from);
-  const double scale = from.kind == BodyKind::plane
-                           ? on.size.minCoeff()
-                           : std::min(on.size.minCoeff(), from.size.minCoeff());
+  const double scale =
+      std::min(system_->body(watch.on).smaller_side(), system_->body(watch.from).smaller_side());
   return std::max(zero_share * scale, rounding_);
 }
 
@@ -70,8 +67,7 @@ void EventSearch::begin(const State& state,
   bounds_.clear();
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
     const Box& box = boxes[i];
-    const Vec2 extent = box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                        + Vec2::Constant(4.0 * zero_share * box.smaller_side());
+    const Vec2 extent = box.extent() + Vec2::Constant(4.0 * zero_share * box.smaller_side());
     bounds_.push_back({box.center - extent, box.center + extent});
   }
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
@@ -139,9 +135,9 @@ void EventSearch::find_candidates(const WatchedStep& step) {
   if (system_->cubes == 1 && system_->count() == 1) return;
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
     const Body& body = system_->body(i);
-    const double radius = 0.5 * body.size.norm();
+    const double radius = body.radius();
     if (!system_->is_cube(i)) {
-      const Vec2 extent = body.box.arm[2].cwiseAbs().cwiseMax(body.box.arm[1].cwiseAbs());
+      const Vec2 extent = body.box.extent();
       bounds_.push_back({body.box.center - extent, body.box.center + extent});
       continue;
     }

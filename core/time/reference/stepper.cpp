@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/impact.h"
 #include "core/model/points.h"
 
 namespace wuerfel {
 namespace {
-
-/// A contact carries load where its force exceeds this share of the island's largest.
-constexpr double pressed_share = 1e-9;
 
 /// Velocities that count as zero become zero, so that rest can be certified.
 void settle(const System& system, const Island& island, State& state) {
@@ -131,12 +129,9 @@ void Stepper::arrive(Moment& moment, Bookkeeping& book) {
   keep_rest(moment, before);
   for (const Island& island : moment.islands) {
     if (resting(moment, island)) continue;
-    const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-      return contact_motion(*system_, moment.state, c) == ContactMotion::closing;
-    });
     // (3) must hold where (2) = 0: an impact. The paper has no law for it; Moreau's projection is
     // ours.
-    if (closing) strike(moment, island, book);
+    if (closes(*system_, moment.state, island)) strike(moment, island, book);
     settle(*system_, island, moment.state);
   }
   moment.lasting.clear();
@@ -159,18 +154,15 @@ void Stepper::keep_rest(Moment& moment, const Moment& before) const {
 }
 
 void Stepper::strike(Moment& moment, const Island& island, Bookkeeping& book) {
-  const double before = kinetic_energy(*system_, moment.state);
-  const IslandSolution after = dynamics_.impact(moment.state, island);
+  const auto [after, loss] = impact(*system_, moment.state, island, dynamics_);
   keep_book(after, book);
   set_velocities(island, after.twists, moment.state);
-  book.audit.impact_loss += before - kinetic_energy(*system_, moment.state);
-  const double largest = std::ranges::max(after.forces);
+  book.audit.impact_loss += loss;
+  const double least = after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     // A contact that lasts is struck in each step by the step's error; that is no event.
-    if (after.forces[k] <= pressed_share * largest
-        || std::ranges::binary_search(moment.lasting, c.id()))
-      continue;
+    if (after.forces[k] <= least || std::ranges::binary_search(moment.lasting, c.id())) continue;
     book.events.push_back({moment.t, EventKind::impact, system_->body(c.on).name,
                            system_->body(c.from).name, c.point, after.forces[k]});
   }
@@ -216,10 +208,9 @@ std::vector<Contact> Stepper::pressed_contacts(const Moment& moment) const {
   for (std::size_t m = 0; m < moment.islands.size(); ++m) {
     const Island& island = moment.islands[m];
     const IslandSolution& solution = moment.solutions[m];
-    if (island.contacts.empty()) continue;
-    const double largest = std::ranges::max(solution.forces);
+    const double least = solution.least_pressing();
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      if (solution.forces[k] > pressed_share * largest) pressed.push_back(island.contacts[k]);
+      if (solution.forces[k] > least) pressed.push_back(island.contacts[k]);
     }
   }
   return pressed;
@@ -242,9 +233,9 @@ std::vector<Contact> Stepper::sweep(Moment& moment, double dt, Bookkeeping& book
     const IslandSolution solution = dynamics_.impact(moment.state, island);
     keep_book(solution, book);
     set_velocities(island, solution.twists, moment.state);
-    const double largest = std::ranges::max(solution.forces);
+    const double least = solution.least_pressing();
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-      if (solution.forces[k] > pressed_share * largest) pressed.push_back(island.contacts[k]);
+      if (solution.forces[k] > least) pressed.push_back(island.contacts[k]);
     }
   }
   for (std::size_t i = 0; i < moment.state.size(); ++i) {

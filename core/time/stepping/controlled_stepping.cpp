@@ -88,8 +88,7 @@ double ControlledStepping::take_step(State& next, double t, double h, Bookkeepin
 
 bool ControlledStepping::is_slower_than(double speed) const {
   for (std::size_t i = 0; i < state_.size(); ++i) {
-    const double radius = 0.5 * system_->body(static_cast<int>(i)).size.norm();
-    if (state_[i].velocity.norm() + radius * std::abs(state_[i].spin) > speed) return false;
+    if (fastest_corner(system_->bodies[i], state_[i]) > speed) return false;
   }
   return true;
 }

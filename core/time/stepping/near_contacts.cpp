@@ -32,8 +32,7 @@ void NearContacts::find(const State& end,
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const auto extent = [&](const Box& box) {
-      return Vec2(box.arm[2].cwiseAbs().cwiseMax(box.arm[1].cwiseAbs())
-                  + Vec2::Constant(reach * box.smaller_side()));
+      return Vec2(box.extent() + Vec2::Constant(reach * box.smaller_side()));
     };
     const Box& a = start_[at];
     const Box& b = end_[at];

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/dynamics/gauss.h"
+#include "core/model/scales.h"
 #include "core/time/bookkeeping.h"
-#include "core/time/scales.h"
 #include "core/time/stepping/near_contacts.h"
 
 namespace wuerfel {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "core/dynamics/impact.h"
+
 namespace wuerfel {
 namespace {
 
@@ -17,7 +19,6 @@ constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
 constexpr double bent_share = 1e-11;      ///< what sides may miss after the first placement
 
 constexpr int closings = 3;
-constexpr double pressed_force = 1e-9;  ///< of the island's largest multiplier
 /// Closing speeds beyond this many g h are impacts, not the load of a step.
 constexpr double impact_steps = 0.5;
 
@@ -52,7 +53,7 @@ double RattleStepper::longest_step(const State& state) const {
     thinnest = std::min(thinnest, body.size.minCoeff());
     if (!system_->is_cube(i)) continue;
     const BodyState& s = state[i];
-    fastest = std::max(fastest, s.velocity.norm() + 0.5 * body.size.norm() * std::abs(s.spin));
+    fastest = std::max(fastest, fastest_corner(body, s));
   }
   // h (v + g h) = thinnest / 2, both bodies of a pair moving.
   const double g = system_->gravity.norm();
@@ -102,7 +103,7 @@ void RattleStepper::estimate_error(const State& state) {
   for (std::size_t i = 0; i < state.size(); ++i) {
     const BodyState& a = start_[i];
     const BodyState& b = state[i];
-    const double radius = 0.5 * system_->body(static_cast<int>(i)).size.norm();
+    const double radius = system_->bodies[i].radius();
     const double change = (b.velocity - a.velocity).norm() + radius * std::abs(b.spin - a.spin);
     if (change > rough_steps * scales_.gravity * h_) continue;
     const Vec2 way = b.position - a.position - 0.5 * h_ * (a.velocity + b.velocity);
@@ -136,9 +137,9 @@ void RattleStepper::place_cubes(const Island& island,
 }
 
 void RattleStepper::note_pressed(const Island& island, const IslandSolution& solution) {
-  const double largest = std::ranges::max(solution.forces);
+  const double least = solution.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (solution.forces[k] > pressed_force * largest)
+    if (solution.forces[k] > least)
       pressed_.push_back({island.contacts[k], solution.forces[k] / h_});
   }
 }
@@ -167,12 +168,11 @@ void RattleStepper::place_island(const Island& island, State& state, Bookkeeping
   const IslandSolution straight = removal_.apart(island, start_, targets, book);
   place_cubes(island, straight, state);
   // Where something is struck within the step its order is one anyway.
-  const double largest = std::ranges::max(straight.forces);
+  const double least = straight.least_pressing();
   bool rough = false;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    rough = rough
-            || (straight.forces[k] > pressed_force * largest
-                && closing_speed(island.contacts[k]) > rough_steps);
+    rough =
+        rough || (straight.forces[k] > least && closing_speed(island.contacts[k]) > rough_steps);
   }
   if (rough) {
     note_pressed(island, straight);
@@ -234,11 +234,8 @@ void RattleStepper::hit(State& state, double t, Bookkeeping& book) {
   }
   find_islands(*system_, contacts_, islands_);
   for (const Island& island : islands_) {
-    const bool closing = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-      return contact_motion(*system_, state, c) == ContactMotion::closing;
-    });
-    if (!closing) continue;
-    const IslandSolution solution = dynamics_.impact(state, island);
+    if (!closes(*system_, state, island)) continue;
+    const IslandSolution solution = impact(*system_, state, island, dynamics_).after;
     keep_book(solution, book);
     set_velocities(island, solution.twists, state);
     for (std::size_t k = 0; k < island.contacts.size(); ++k)

@@ -14,8 +14,8 @@
 
 #include "core/dynamics/closed_contacts.h"
 #include "core/dynamics/gauss.h"
+#include "core/model/scales.h"
 #include "core/time/bookkeeping.h"
-#include "core/time/scales.h"
 #include "core/time/stepping/overlap_removal.h"
 #include "core/time/stepping/step_look.h"
 

@@ -70,7 +70,7 @@ State StepLook::at(const State& from, const State& to, double h, double share) {
   const double rough = rough_steps * scales_of(*system_, from).gravity * h;
   State state = from;
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const double radius = 0.5 * system_->body(static_cast<int>(i)).size.norm();
+    const double radius = system_->bodies[i].radius();
     state[i] = between(from[i], to[i], h, share, radius, rough);
   }
   Bookkeeping aside;

@@ -1,4 +1,4 @@
-#include "core/time/scales.h"
+#include "core/model/scales.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ Scales scales_of(const System& system, const State& state) {
     const BodyState& s = state[i];
     scales.length = std::min(scales.length, body.size.minCoeff());
     mass += body.mass;
-    fastest = std::max(fastest, s.velocity.norm() + 0.5 * body.size.norm() * std::abs(s.spin));
+    fastest = std::max(fastest, fastest_corner(body, s));
   }
   if (system.cubes == 0) scales.length = 1.0;
   const double g = system.gravity.norm();

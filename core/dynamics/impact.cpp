@@ -1,0 +1,38 @@
+#include "core/dynamics/impact.h"
+
+#include <algorithm>
+
+namespace wuerfel {
+namespace {
+
+/// Kinetic energy of an island's cubes, J.
+double kinetic_energy_of(const System& system, const State& state, const Island& island) {
+  double sum = 0.0;
+  for (const int cube : island.cubes)
+    sum += kinetic_energy(system.body(cube), state[cube]);
+  return sum;
+}
+
+}  // namespace
+
+bool closes(const System& system, const State& state, const Island& island) {
+  return std::ranges::any_of(island.contacts, [&](const Contact& c) {
+    return contact_motion(system, state, c) == ContactMotion::closing;
+  });
+}
+
+Impact impact(const System& system,
+              const State& state,
+              const Island& island,
+              IslandDynamics& dynamics) {
+  Impact result{dynamics.impact(state, island), 0.0};
+  result.loss = kinetic_energy_of(system, state, island);
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    const Twist& v = result.after.twists[k];
+    const BodyState moved{{}, 0.0, v.linear, v.angular};
+    result.loss -= kinetic_energy(system.body(island.cubes[k]), moved);
+  }
+  return result;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,24 @@
+/// Impact: velocities jump where a contact closes with a gap's rate below zero. The paper has no law
+/// for it; ours is Moreau's projection, perfectly inelastic, all contacts of an island at once
+/// [Moreau 1988].
+#pragma once
+
+#include "core/dynamics/gauss.h"
+
+namespace wuerfel {
+
+struct [[nodiscard]] Impact {
+  IslandSolution after;  ///< velocities (m/s, rad/s) of the cubes, impulses (N s) at the contacts
+  double loss = 0.0;     ///< J, what the impact takes of the kinetic energy
+};
+
+/// Whether some contact closes, so that an impact is due.
+bool closes(const System& system, const State& state, const Island& island);
+
+/// The impact of an island. Changes nothing: the caller takes the velocities over and books.
+Impact impact(const System& system,
+              const State& state,
+              const Island& island,
+              IslandDynamics& dynamics);
+
+}  // namespace wuerfel
