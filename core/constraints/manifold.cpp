@@ -135,6 +135,14 @@ Contact nearest_to_middle(const FacingSide& s,
   return best;
 }
 
+/// The corner of `on` that is deepest below a side of `from`.
+Contact deepest_corner_at(std::span<const Box> boxes, int from, int on, int side) {
+  const Box& a = boxes[from];
+  const Box& b = boxes[on];
+  return deepest_corner({from, on, side, 0.0}, a, b,
+                        incident_corners(a, side, b, std::numeric_limits<double>::max()));
+}
+
 }  // namespace
 
 Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int e) {
@@ -200,33 +208,42 @@ Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
     const FacingSide& s = sides.list[m];
     if (s.separation > best.separation) best = s;
   }
-  const Box& a = boxes[best.from];
-  const Box& b = boxes[best.on];
-  return deepest_corner(best, a, b,
-                        incident_corners(a, best.side, b, std::numeric_limits<double>::max()));
+  return deepest_corner_at(boxes, best.from, best.on, best.side);
 }
 
-FacingSide separating_side(std::span<const Box> start, std::span<const Box> end, int i, int j) {
+bool is_covered(const System& system, const Contact& c) {
+  const Body& on = system.body(c.on);
+  const Body& from = system.body(c.from);
+  return (on.cover && on.cover->covers_corner(c.corner))
+         || (from.cover && from.cover->covers(c.side, c.alpha));
+}
+
+FacingSide separating_side(const System& system, const Way& way, double slow, int i, int j) {
   // What has closed by rounding at the start has not closed yet.
   const double zero =
-      touching_tolerance * std::min(start[i].smaller_side(), start[j].smaller_side());
-  FacingSide best;
-  FacingSide deepest;
-  double latest = -1.0;
-  best.separation = deepest.separation = -std::numeric_limits<double>::infinity();
+      touching_tolerance * std::min(way.start[i].smaller_side(), way.start[j].smaller_side());
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  FacingSide best{i, j, 0, none};
+  FacingSide deepest = best;
+  FacingSide carried = best;
   FacingSide meeting;
+  double latest = -1.0;
+  const bool covers = system.body(i).cover || system.body(j).cover;
   for (int index = 0; index < 8; ++index) {
     const int from = index < 4 ? i : j;
     const int on = index < 4 ? j : i;
-    const auto f = static_cast<std::size_t>(from);
-    const auto o = static_cast<std::size_t>(on);
     const int side = index & 3;
-    const double before = side_separation(start[f], side, start[o]);
-    const double after = side_separation(end[f], side, end[o]);
+    if (covers && is_covered(system, deepest_corner_at(way.end, from, on, side))) continue;
+    const double before = side_separation(way.start[from], side, way.start[on]);
+    const double after = side_separation(way.end[from], side, way.end[on]);
     const double both = std::min(before, after);
     if (both > best.separation) best = {from, on, side, both};
     if (before > deepest.separation) deepest = {from, on, side, before};
-    if (before < -zero || after >= 0.0) continue;
+    if (before < -zero) continue;
+    const double drifted = side_separation(way.drift[from], side, way.drift[on]);
+    const double kept = std::min(before, drifted);
+    if (kept > carried.separation) carried = {from, on, side, kept};
+    if (after >= 0.0) continue;
     const double open = std::max(before, 0.0);
     const double when = open / (open - after);
     if (when > latest) {
@@ -235,6 +252,10 @@ FacingSide separating_side(std::span<const Box> start, std::span<const Box> end,
     }
   }
   if (best.separation >= 0.0) return best;
+  if (carried.separation >= -slow) {
+    carried.separation = side_separation(way.end[carried.from], carried.side, way.end[carried.on]);
+    return carried;
+  }
   if (latest >= 0.0) return meeting;
   return {deepest.from, deepest.on, deepest.side, best.separation};
 }
@@ -251,8 +272,7 @@ void add_near_contacts(std::span<const Box> boxes,
                  contacts))
       return;
   }
-  contacts.push_back(deepest_corner(
-      side, a, b, incident_corners(a, side.side, b, std::numeric_limits<double>::max())));
+  contacts.push_back(deepest_corner_at(boxes, side.from, side.on, side.side));
 }
 
 }  // namespace wuerfel

@@ -25,6 +25,9 @@ double add_touching_contacts(const System& system,
 /// touching or not.
 Contact nearest_corner(std::span<const Box> boxes, int i, int j);
 
+/// Whether a contact is at a side or a corner that fixed bodies cover.
+bool is_covered(const System& system, const Contact& contact);
+
 /// One of the eight sides of a pair of boxes.
 struct FacingSide {
   int from = 0;  ///< body of the side
@@ -33,10 +36,20 @@ struct FacingSide {
   double separation = 0.0;  ///< m, of the bodies along it; negative where they overlap
 };
 
-/// The side that keeps a pair apart longest while it moves from `start` to `end`: one that
-/// separates it at both, the more the better; else of those that separate it at the start the one
-/// whose gap closes last, for that is where the bodies meet.
-FacingSide separating_side(std::span<const Box> start, std::span<const Box> end, int i, int j);
+/// Where boxes are at the start of a step, where their velocities alone would take them, and at the
+/// end of the way that is looked at.
+struct Way {
+  std::span<const Box> start;
+  std::span<const Box> drift;
+  std::span<const Box> end;
+};
+
+/// The side that keeps a pair apart longest on its way: one that separates it at the start and the
+/// end, the more the better; else one along which velocities alone bring the bodies nearer to each
+/// other by no more than `slow` (m): what is carried by others does not fall; else of those that
+/// separate the pair at the start the one whose gap closes last, for that is where the bodies meet.
+/// What fixed bodies cover of one another is no side.
+FacingSide separating_side(const System& system, const Way& way, double slow, int i, int j);
 
 /// Corners by which a pair would meet at a side: the nearest corner, or both ends of the overlap
 /// where the facing sides are within `flush` (sine of the angle between them).

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/broad_phase.h"
+
 namespace wuerfel {
 namespace {
 
@@ -32,6 +34,32 @@ void set_surfaces(const Scene& scene, System& system) {
   };
   system.rubs = any_pair(&Material::friction);
   system.bounces = any_pair(&Material::restitution);
+}
+
+/// What fixed bodies cover of one another.
+void set_covers(System& system) {
+  std::vector<BoundingBox> bounds;
+  const int cubes = system.cubes;
+  int boxes = cubes;
+  for (; boxes < system.count() && system.bodies[boxes].kind == BodyKind::fixed; ++boxes) {
+    const Box& box = system.bodies[boxes].box;
+    const Vec2 extent = box.extent() + Vec2::Constant(touching_tolerance * box.smaller_side());
+    bounds.push_back({box.center - extent, box.center + extent});
+  }
+  std::vector<Cover> covers(bounds.size());
+  BroadPhase broad_phase;
+  for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
+    const Box& a = system.bodies[cubes + pair.first].box;
+    const Box& b = system.bodies[cubes + pair.second].box;
+    add_cover(a, b, covers[pair.first]);
+    add_cover(b, a, covers[pair.second]);
+  }
+  for (int i = cubes; i < boxes; ++i) {
+    Cover& cover = covers[i - cubes];
+    for (int p = boxes; p < system.count(); ++p)
+      add_cover(system.bodies[i].box, system.bodies[p].point, system.bodies[p].normal, cover);
+    if (!cover.empty()) system.bodies[i].cover = std::make_shared<const Cover>(std::move(cover));
+  }
 }
 
 }  // namespace
@@ -81,6 +109,7 @@ System make_system(const Scene& scene) {
     system.bodies.push_back(std::move(body));
   }
   set_surfaces(scene, system);
+  set_covers(system);
   return system;
 }
 

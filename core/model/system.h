@@ -3,11 +3,13 @@
 
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/box.h"
+#include "core/model/cover.h"
 #include "core/model/state.h"
 #include "core/scene/overlap.h"
 #include "core/scene/scene.h"
@@ -24,6 +26,7 @@ struct Body {
   Vec2 point = Vec2::Zero();    ///< m; of planes
   Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid; of planes
   Material material;
+  std::shared_ptr<const Cover> cover;  ///< of a fixed box that others touch; else none
   int number = 0;  ///< in the whole scene, also where only a part of its cubes is looked at
 
   /// Distance of the corners from the centre, m; of boxes.

@@ -4,11 +4,24 @@
 #include <cmath>
 
 namespace wuerfel {
+namespace {
+
+/// Bodies that come nearer to each other by less than this share of the fall within a step are
+/// carried by others.
+constexpr double slow_share = 0.1;
+
+}  // namespace
 
 void NearContacts::begin(const State& state, double h, double gravity) {
   step_ = h;
   gravity_ = gravity;
   pose_boxes(*system_, state, start_);
+  State drifted = state;
+  for (BodyState& s : drifted) {
+    s.position += h * s.velocity;
+    s.angle += h * s.spin;
+  }
+  pose_boxes(*system_, drifted, drift_);
   spin_.assign(start_.size(), 0.0);
   for (std::size_t i = 0; i < state.size(); ++i)
     spin_[i] = std::abs(state[i].spin);
@@ -39,19 +52,21 @@ void NearContacts::find(const State& end,
     bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
                        (a.center + extent(a)).cwiseMax(b.center + extent(b))});
   }
+  const double fall = gravity_ * step_ * step_;
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
     if (!system_->is_cube(pair.first)) continue;
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
     const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
-    const FacingSide side = separating_side(start_, end_, pair.first, pair.second);
+    const FacingSide side = separating_side(*system_, {start_, drift_, end_}, slow_share * fall,
+                                            pair.first, pair.second);
     if (side.separation >= reach * scale) continue;
     // Sides that may become flush within the step: a second corner on sides that are not gives a
     // false impulse when a corner passes the end of an edge.
-    const double flush =
-        2.0 * step_ * (spin_[i] + spin_[j]) + 30.0 * gravity_ * step_ * step_ / scale;
+    const double flush = 2.0 * step_ * (spin_[i] + spin_[j]) + 30.0 * fall / scale;
     add_near_contacts(measured, side, flush, contacts);
   }
+  std::erase_if(contacts, [&](const Contact& c) { return is_covered(*system_, c); });
   add_planes(reach, measured, contacts);
 }
 

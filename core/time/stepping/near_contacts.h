@@ -44,6 +44,7 @@ class NearContacts {
   double gravity_ = 0.0;      ///< m/s^2
   std::vector<double> spin_;  ///< rad/s at the beginning, of every box
   std::vector<Box> start_;
+  std::vector<Box> drift_;  ///< where velocities alone would lead
   std::vector<Box> end_;
   std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
