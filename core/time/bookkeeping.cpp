@@ -5,6 +5,19 @@
 #include "core/dynamics/gauss.h"
 
 namespace wuerfel {
+namespace {
+
+void add_audit(const Audit& more, Audit& audit) {
+  audit.max_penetration = std::max(audit.max_penetration, more.max_penetration);
+  audit.max_overlap = std::max(audit.max_overlap, more.max_overlap);
+  audit.max_kkt_residual = std::max(audit.max_kkt_residual, more.max_kkt_residual);
+  audit.missed_solves += more.missed_solves;
+  audit.unresolved += more.unresolved;
+  audit.searches_given_up += more.searches_given_up;
+  audit.wedged += more.wedged;
+}
+
+}  // namespace
 
 std::string_view to_string(EventKind kind) {
   switch (kind) {
@@ -29,6 +42,22 @@ std::string_view to_string(EventKind kind) {
 void note_overlap(double depth, double side, Audit& audit) {
   audit.max_penetration = std::max(audit.max_penetration, depth);
   audit.max_overlap = std::max(audit.max_overlap, depth / side);
+}
+
+Cost sum_of(const Cost& a, const Cost& b) {
+  return {a.steps + b.steps,
+          a.qp_solves + b.qp_solves,
+          a.hand_overs + b.hand_overs,
+          a.skipped_free + b.skipped_free,
+          a.skipped_rest + b.skipped_rest,
+          a.skipped_certificate + b.skipped_certificate};
+}
+
+void add(const Bookkeeping& more, Bookkeeping& book) {
+  book.events.insert(book.events.end(), more.events.begin(), more.events.end());
+  book.losses.insert(book.losses.end(), more.losses.begin(), more.losses.end());
+  add_audit(more.audit, book.audit);
+  book.cost = sum_of(book.cost, more.cost);
 }
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {

@@ -22,8 +22,12 @@ struct Event {
   std::string from;           ///< body it comes from
   Vec2 point = Vec2::Zero();  ///< m
   double impulse = 0.0;       ///< N s
-  double loss = 0.0;          ///< J, energy that the whole impact took; at one of its contacts only
-  double lost_at = 0.0;       ///< s, from when on it is missing: the end of the step, of a stepping
+};
+
+/// Energy that impacts took at one instant.
+struct Loss {
+  double t = 0.0;       ///< s
+  double energy = 0.0;  ///< J
 };
 
 /// Invariants kept book of in every run.
@@ -68,11 +72,17 @@ struct Cost {
   }
 };
 
+Cost sum_of(const Cost& a, const Cost& b);
+
 struct Bookkeeping {
   std::vector<Event> events;
+  std::vector<Loss> losses;
   Audit audit;
   Cost cost;
 };
+
+/// Adds what was booked of a part, or of a stretch, of the motion.
+void add(const Bookkeeping& more, Bookkeeping& book);
 
 /// Books a program that was solved, and how well.
 void keep_book(const IslandSolution& solution, Bookkeeping& book);

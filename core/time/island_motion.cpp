@@ -52,25 +52,6 @@ void unite(std::vector<int>& parent, int i, int j) {
   parent[std::max(a, b)] = std::min(a, b);
 }
 
-void add_cost(const Cost& more, Cost& cost) {
-  cost.steps += more.steps;
-  cost.qp_solves += more.qp_solves;
-  cost.hand_overs += more.hand_overs;
-  cost.skipped_free += more.skipped_free;
-  cost.skipped_rest += more.skipped_rest;
-  cost.skipped_certificate += more.skipped_certificate;
-}
-
-void add_audit(const Audit& more, Audit& audit) {
-  audit.max_penetration = std::max(audit.max_penetration, more.max_penetration);
-  audit.max_overlap = std::max(audit.max_overlap, more.max_overlap);
-  audit.max_kkt_residual = std::max(audit.max_kkt_residual, more.max_kkt_residual);
-  audit.missed_solves += more.missed_solves;
-  audit.unresolved += more.unresolved;
-  audit.searches_given_up += more.searches_given_up;
-  audit.wedged += more.wedged;
-}
-
 }  // namespace
 
 IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, Moment start)
@@ -98,16 +79,12 @@ void IslandMotion::advance_to(double t) {
   // What was seen when all had come to rest is what is seen later.
   if (time_ < still_since_) known_ = Known::nothing;
   time_ = moment_.t = t;
-  for (; next_event_ < computed_.events.size() && computed_.events[next_event_].t <= t;
-       ++next_event_) {
-    shown_.events.push_back(computed_.events[next_event_]);
-    if (shown_.events.back().loss != 0.0) losses_.push_back(shown_.events.back());
-  }
-  std::erase_if(losses_, [&](const Event& event) {
-    if (event.lost_at > t) return false;
-    shown_.audit.impact_loss += event.loss;
-    return true;
-  });
+  const auto& events = computed_.events;
+  for (; next_event_ < events.size() && events[next_event_].t <= t; ++next_event_)
+    shown_.events.push_back(events[next_event_]);
+  const auto& losses = computed_.losses;
+  for (; next_loss_ < losses.size() && losses[next_loss_].t <= t; ++next_loss_)
+    shown_.audit.impact_loss += losses[next_loss_].energy;
 }
 
 const Moment& IslandMotion::now() {
@@ -354,16 +331,17 @@ bool IslandMotion::join_those_that_met(const State& state) {
 /// Takes the books of all groups over; events in the order of time.
 void IslandMotion::commit() {
   const std::size_t first = computed_.events.size();
+  const std::size_t first_loss = computed_.losses.size();
   for (Group& group : groups_) {
     Bookkeeping& book = group.track->book();
-    computed_.events.insert(computed_.events.end(), book.events.begin(), book.events.end());
-    add_cost(book.cost, computed_.cost);
-    add_audit(book.audit, computed_.audit);
+    add(book, computed_);
     book = {};
   }
   std::stable_sort(computed_.events.begin() + static_cast<std::ptrdiff_t>(first),
                    computed_.events.end(),
                    [](const Event& a, const Event& b) { return a.t < b.t; });
+  std::stable_sort(computed_.losses.begin() + static_cast<std::ptrdiff_t>(first_loss),
+                   computed_.losses.end(), [](const Loss& a, const Loss& b) { return a.t < b.t; });
 }
 
 }  // namespace wuerfel

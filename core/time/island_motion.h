@@ -68,7 +68,7 @@ class IslandMotion final : public Motion {
   Bookkeeping computed_;  ///< up to the clocks; events in the order of time
   Bookkeeping shown_;     ///< up to now
   std::size_t next_event_ = 0;
-  std::vector<Event> losses_;  ///< of events shown that are still to be missing
+  std::size_t next_loss_ = 0;
 };
 
 }  // namespace wuerfel

@@ -89,6 +89,7 @@ void Track::advance(double limit) {
   const double t = events_.clock();
   const std::size_t pieces = pieces_.size();
   const std::size_t logged = book_.events.size();
+  const std::size_t lost = book_.losses.size();
   const Audit before = book_.audit;
   book_.audit.max_overlap = 0.0;
   events_.advance(limit, pieces_, book_);
@@ -98,6 +99,7 @@ void Track::advance(double limit) {
     book_.audit = before;
     book_.audit.searches_given_up = given_up;
     book_.events.resize(logged);
+    book_.losses.resize(lost);
     pieces_.resize(pieces);
     hand_over(start, t);
     return;
@@ -154,8 +156,13 @@ void Track::step(double limit) {
   const std::size_t logged = book_.events.size();
   const State start = steps_->state();
   const double end = steps_->advance(clock_, std::min(limit, until_), book_);
-  pieces_.push_back(
-      {MotionPiece::Kind::stepped, clock_, end - clock_, start, {}, steps_->loaded()});
+  pieces_.push_back({MotionPiece::Kind::stepped,
+                     clock_,
+                     end - clock_,
+                     start,
+                     {},
+                     steps_->loaded(),
+                     steps_->record()});
   clock_ = end;
   count_events(clock_, static_cast<long>(book_.events.size() - logged));
   if (clock_ >= until_) go_on_or_hand_back();
@@ -207,7 +214,8 @@ State Track::at(double t) {
   if (piece.kind == MotionPiece::Kind::smooth) return events_.look(piece, t);
   if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
   const State& next = at + 1 < pieces_.size() ? pieces_[at + 1].start : state();
-  return look_->at(piece.start, next, piece.length, (t - piece.begin) / piece.length);
+  return look_->at(piece.start, next, piece.length, (t - piece.begin) / piece.length,
+                   *piece.record);
 }
 
 void Track::forget_before(double t) {

@@ -30,7 +30,7 @@ void log_changes(const System& system,
   const auto rests = [&](int body) { return !system.is_cube(body) || resting[body] != 0; };
   const auto log = [&](const Contact& c, EventKind kind) {
     book.events.push_back(
-        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0, 0.0});
+        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0});
   };
   for (std::size_t k = 0; k < before.size(); ++k) {
     const IndexPair pair = pair_of(before[k]);

@@ -87,7 +87,7 @@ void ContactLaw::apply_island(
           island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
       const int other = touching->on == cube ? touching->from : touching->on;
       book.events.push_back({t, EventKind::rest, system_->body(cube).name,
-                             system_->body(other).name, touching->point, 0.0, 0.0});
+                             system_->body(other).name, touching->point, 0.0});
     }
     return;
   }
@@ -148,17 +148,16 @@ bool ContactLaw::add_overlapping(const State& state) {
 }
 
 void ContactLaw::strike(const Island& island, State& state, double t, Bookkeeping& book) {
-  const auto [after, taken] = impact(*system_, state, island, dynamics_);
+  const auto [after, loss] = impact(*system_, state, island, dynamics_);
   keep_book(after, book);
   set_velocities(island, after.twists, state);
-  double loss = taken;
+  book.losses.push_back({t, loss});
   const double least = after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (after.forces[k] <= least) continue;
     book.events.push_back({t, EventKind::impact, system_->body(c.on).name,
-                           system_->body(c.from).name, c.point, after.forces[k], loss});
-    loss = 0.0;
+                           system_->body(c.from).name, c.point, after.forces[k]});
   }
 }
 

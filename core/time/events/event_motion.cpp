@@ -115,7 +115,7 @@ void EventMotion::operator()(const std::vector<double>& y, std::vector<double>& 
 
 void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
   if (at_rest()) {
-    pieces.push_back({MotionPiece::Kind::rest, clock_, 0.0, state_, {}, {}});
+    pieces.push_back({MotionPiece::Kind::rest, clock_, 0.0, state_, {}, {}, {}});
     clock_ = std::numeric_limits<double>::infinity();
     return;
   }
@@ -154,7 +154,7 @@ void EventMotion::fall(double limit, std::deque<MotionPiece>& pieces, Bookkeepin
   next_ = state_;
   const double elapsed = crossing ? fall_to(*crossing, h) : h;
   if (!crossing) look_at(dense_, 1.0, next_);
-  pieces.push_back({MotionPiece::Kind::smooth, clock_, h, state_, dense_, {}});
+  pieces.push_back({MotionPiece::Kind::smooth, clock_, h, state_, dense_, {}, {}});
   finish(elapsed, crossing.has_value(), book);
 }
 
@@ -322,7 +322,7 @@ State EventMotion::moved(State state, double time) const {
 
 void EventMotion::add_piece(std::deque<MotionPiece>& pieces) const {
   pieces.push_back(
-      {MotionPiece::Kind::smooth, clock_, length_, state_, dense_, closed_.contacts()});
+      {MotionPiece::Kind::smooth, clock_, length_, state_, dense_, closed_.contacts(), {}});
 }
 
 /// Takes over the state that was reached.

@@ -1,10 +1,12 @@
 /// Motion that has been computed, piece by piece.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/constraints/contact.h"
 #include "core/time/events/dop853.h"
+#include "core/time/stepping/step_record.h"
 
 namespace wuerfel {
 
@@ -25,6 +27,7 @@ struct MotionPiece {
   DenseStep motion;  ///< of a smooth piece
   /// Contacts that stay closed in a smooth piece, or carry load in a stepped one.
   std::vector<Contact> closed;
+  std::shared_ptr<const StepRecord> record;  ///< of a stepped piece
 };
 
 /// State at a share of a step, not yet projected. `state` must have the right number of cubes.

@@ -28,7 +28,6 @@ ControlledStepping::ControlledStepping(const System& system, const MotionSetting
   const bool crowd = settings.integrator != Integrator::rattle;
   const double error = std::sqrt(settings.tolerance);
   allowed_error_ = crowd ? crowd_error * error : error;
-  sway_ = crowd ? 0.0 : error;
 }
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
@@ -36,52 +35,46 @@ void ControlledStepping::begin(const State& state, double first, double longest)
   state_ = state;
   step_ = first;
   longest_ = longest;
-  ceiling_ = energy(*system_, state);
 }
 
 double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   if (end - t < same_time * scales_.time) return end;
   const double whole = std::min({step_, stepper_.longest_step(state_), end - t});
   const double wanted = end - t - whole < same_time * scales_.time ? end - t : whole;
-  const std::size_t logged = book.events.size();
-  State next;
-  const double h = take_step(next, t, wanted, book);
+  double h = wanted;
+  Step step = take_step(t, h);
   if (whole == step_) {
-    const bool easy =
-        h == wanted && stepper_.error() <= doubled_error * allowed_error_ && rise_ <= doubled_rise;
+    const bool easy = h == wanted && step.error <= doubled_error * allowed_error_
+                      && step.rise <= doubled_rise * bearable_rise();
     step_ = std::clamp(easy ? 2.0 * h : h, shortest_share * longest_, longest_);
   }
-  for (std::size_t k = logged; k < book.events.size(); ++k)
-    ceiling_ -= book.events[k].loss;
-  bring_down(*system_, ceiling_ + sway_ * in_motion(next), next);
-  state_ = std::move(next);
+  add(step.book, book);
+  state_ = std::move(step.state);
+  record_ = std::move(step.record);
   return h == end - t ? end : t + h;
 }
 
-/// The energy that steps are judged by, J.
-double ControlledStepping::in_motion(const State& state) const {
-  return kinetic_energy(*system_, state) + scales_.weight * scales_.length;
+/// By how much energy may rise in a step before it is put right, J.
+double ControlledStepping::bearable_rise() const {
+  return rise_share * (kinetic_energy(*system_, state_) + scales_.weight * scales_.length);
 }
 
-/// The longest of h, h / 2, h / 4 .. that is good enough; returns it.
-double ControlledStepping::take_step(State& next, double t, double h, Bookkeeping& book) {
+/// The longest step of h, h / 2, h / 4 .. that is good enough; `h` becomes its length.
+Step ControlledStepping::take_step(double t, double& h) {
   const double shortest = h * shortest_share;
-  const double bearable = rise_share * in_motion(state_);
-  const Bookkeeping before = book;
+  Cost tried;
   while (true) {
-    next = state_;
-    rise_ = stepper_.step(next, t, h, book) / bearable;
-    const bool clean = stepper_.overlap_left() <= overlap_share;
-    const bool exact = stepper_.error() <= allowed_error_ && rise_ <= 1.0;
-    if (clean && (exact || h <= shortest)) return h;
-    const Cost cost = book.cost;
-    book = before;
-    book.cost = cost;
+    Step step = stepper_.step(state_, t, h);
+    step.book.cost = sum_of(step.book.cost, tried);
+    const bool clean = step.overlap <= overlap_share;
+    const bool exact = step.error <= allowed_error_ && step.rise <= bearable_rise();
+    if (clean && (exact || h <= shortest)) return step;
     if (h <= shortest) {
-      rise_ = stepper_.stop_short(next, t, book) / bearable;
-      ++book.audit.unresolved;
-      return h;
+      step = stepper_.stop_short(std::move(step), t);
+      ++step.book.audit.unresolved;
+      return step;
     }
+    tried = step.book.cost;
     h *= 0.5;
   }
 }

@@ -14,7 +14,9 @@ class ControlledStepping {
   /// One step from time t, at most to `end`; returns where it ends.
   double advance(double t, double end, Bookkeeping& book);
   [[nodiscard]] const State& state() const { return state_; }
-  /// Contacts that carried load in the last step.
+  /// What happened in the last step.
+  [[nodiscard]] const std::shared_ptr<const StepRecord>& record() const { return record_; }
+  /// Contacts that carried load in it.
   [[nodiscard]] std::vector<Contact> loaded() const { return stepper_.loaded(); }
   /// Whether nothing moves faster than `speed` (m/s).
   [[nodiscard]] bool is_slower_than(double speed) const;
@@ -22,21 +24,17 @@ class ControlledStepping {
   [[nodiscard]] State with_closed_gaps();
 
  private:
-  [[nodiscard]] double in_motion(const State& state) const;
-  double take_step(State& next, double t, double h, Bookkeeping& book);
+  [[nodiscard]] double bearable_rise() const;
+  Step take_step(double t, double& h);
 
   const System* system_;
   RattleStepper stepper_;
   Scales scales_;
   double allowed_error_ = 0.0;  ///< of a step, as a share of the smallest side
   State state_;
+  std::shared_ptr<const StepRecord> record_;
   double step_ = 0.0;     ///< s, proposed for the next step
   double longest_ = 0.0;  ///< s, of a step
-  /// J, energy of the beginning less what impacts have taken. That of second order steps sways
-  /// about its true value; it may exceed the ceiling by `sway_` times what is in motion.
-  double ceiling_ = 0.0;
-  double sway_ = 0.0;
-  double rise_ = 0.0;  ///< of the last step, as a share of what may be borne
 };
 
 }  // namespace wuerfel

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "core/dynamics/impact.h"
+#include "core/dynamics/momentum.h"
 
 namespace wuerfel {
 namespace {
@@ -21,12 +21,14 @@ constexpr double bent_share = 1e-11;      ///< what sides may miss after the fir
 constexpr int closings = 3;
 /// Closing speeds beyond this many g h are impacts, not the load of a step.
 constexpr double impact_steps = 0.5;
+/// What the sway of a step takes from the energy is given back by no more than this factor on velocities.
+constexpr double most_given_back = 1.01;
 
 /// A step is as exact as its length allows, not as its programs are.
 constexpr ProgramTolerances tolerances{.impact = 1e-6};
 
-/// A state whose velocities are the displacement from one state to another: what rows times a
-/// displacement are read from.
+/// A state whose velocities are the displacement from one state to another: what rows times a displacement are
+/// read from.
 State displacement_of(const State& from, const State& to) {
   State moved = from;
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -49,11 +51,8 @@ double RattleStepper::longest_step(const State& state) const {
   double thinnest = std::numeric_limits<double>::max();
   for (int i = 0; i < system_->count(); ++i) {
     const Body& body = system_->body(i);
-    if (body.kind == BodyKind::plane) continue;
-    thinnest = std::min(thinnest, body.size.minCoeff());
-    if (!system_->is_cube(i)) continue;
-    const BodyState& s = state[i];
-    fastest = std::max(fastest, fastest_corner(body, s));
+    thinnest = std::min(thinnest, body.smaller_side());
+    if (system_->is_cube(i)) fastest = std::max(fastest, fastest_corner(body, state[i]));
   }
   // h (v + g h) = thinnest / 2, both bodies of a pair moving.
   const double g = system_->gravity.norm();
@@ -62,43 +61,319 @@ double RattleStepper::longest_step(const State& state) const {
   return 2.0 * reach / (fastest + std::sqrt(fastest * fastest + 4.0 * g * reach));
 }
 
-double RattleStepper::step(State& state, double t, double h, Bookkeeping& book) {
-  ++book.cost.steps;
+Step RattleStepper::step(const State& state, double t, double h) {
+  Step step;
+  step.book.cost.steps = 1;
   scales_ = scales_of(*system_, state);
   h_ = h;
   start_ = state;
-  predicted_ = state;
-  for (BodyState& s : predicted_) {
-    s.position += h * (s.velocity + 0.5 * h * system_->gravity);
-    s.angle += h * s.spin;
-  }
   removal_.begin(start_, h);
-  place(state, book);
-  contacts_.clear();
-  removal_.clean_up(state, contacts_, book);
+  place(step);
+  flown_ = step.state;
+  cleaned_.clear();
+  removal_.clean_up(step.state, cleaned_, step.book);
+  for (const Contact& c : cleaned_)
+    blows_.emplace(c.id(), Blow{at_poses(*system_, removal_.near().start_boxes(), c), c});
+  arrive(step, t);
+  return step;
+}
+
+Step RattleStepper::stop_short(Step tried, double t) {
+  Step step;
+  step.book.cost = tried.book.cost;
+  step.state = std::move(tried.state);
+  for (auto& [id, blow] : blows_)
+    blow.second.setZero();
+  removal_.retreat(step.state);
+  arrive(step, t);
+  return step;
+}
+
+/// To the place nearest to free flight, with the impulses that lead there.
+void RattleStepper::place(Step& step) {
+  half_ = start_;
+  for (BodyState& s : half_)
+    s.velocity += 0.5 * h_ * system_->gravity;
+  step.state = start_;
+  for (std::size_t i = 0; i < start_.size(); ++i) {
+    step.state[i].position += h_ * half_[i].velocity;
+    step.state[i].angle += h_ * half_[i].spin;
+  }
+  blows_.clear();
+  removal_.near().find_towards(step.state, near_share, contacts_);
+  find_islands(*system_, contacts_, islands_);
+  for (const Island& island : islands_)
+    place_island(island, step);
+}
+
+/// Velocities between the halves, from the multipliers of a placement, and the places that they lead to.
+void RattleStepper::fly_half(const Island& island, const IslandSolution& solution, State& state) {
+  for (const int cube : island.cubes) {
+    half_[cube].velocity = start_[cube].velocity + 0.5 * h_ * system_->gravity;
+    half_[cube].spin = start_[cube].spin;
+  }
+  const double least = solution.least_pressing();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (solution.forces[k] > least) push(*system_, c, solution.forces[k] / h_ * c.normal, half_);
+  }
+  for (const int cube : island.cubes) {
+    state[cube].position = start_[cube].position + h_ * half_[cube].velocity;
+    state[cube].angle = start_[cube].angle + h_ * half_[cube].spin;
+  }
+}
+
+void RattleStepper::note_pressed(const Island& island, const IslandSolution& solution) {
+  const double least = solution.least_pressing();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (solution.forces[k] > least)
+      blows_[c.id()] = {c, c, solution.forces[k] / h_ * c.normal, Vec2::Zero()};
+  }
+}
+
+/// How fast the contact closes at the start, in units of g h.
+double RattleStepper::closing_speed(const Contact& contact) const {
+  const double rate = gap_rate(contact, contact_velocity(*system_, start_, contact));
+  return -rate / (scales_.gravity * h_);
+}
+
+void RattleStepper::place_island(const Island& island, Step& step) {
+  // Where free flight touches nothing there is nothing to solve.
+  const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
+    return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
+  });
+  if (free) {
+    ++step.book.cost.skipped_certificate;
+    return;
+  }
+  std::vector<Twist> targets;
+  for (const int cube : island.cubes)
+    targets.push_back({h_ * half_[cube].velocity, h_ * half_[cube].spin});
+  const IslandSolution straight = removal_.apart(island, start_, targets, step.book);
+  fly_half(island, straight, step.state);
+  // Where something is struck within the step its order is one anyway.
+  const double least = straight.least_pressing();
+  bool rough = false;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    rough =
+        rough || (straight.forces[k] > least && closing_speed(island.contacts[k]) > rough_steps);
+  }
+  if (rough) {
+    note_pressed(island, straight);
+  } else {
+    bend(island, targets, straight, step);
+  }
+}
+
+/// The placement once more: directions stay those of the start, gaps are measured where the cubes have come. That
+/// makes the order two. Where these contradict one another the first place is as good a start for the clean-up.
+void RattleStepper::bend(const Island& island,
+                         const std::vector<Twist>& targets,
+                         const IslandSolution& straight,
+                         Step& step) {
+  std::vector<Box> boxes;
+  pose_boxes(*system_, step.state, boxes);
+  const State moved = displacement_of(start_, step.state);
+  Island bent = island;
+  bool missed = false;
+  for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
+    Contact& c = bent.contacts[k];
+    const double gap = at_poses(*system_, boxes, c).gap;
+    const double reached = c.gap + gap_rate(c, contact_velocity(*system_, moved, c));
+    missed = missed
+             || (std::abs(gap - reached) > bent_share * contact_scale(*system_, c)
+                 && (straight.forces[k] > 0.0 || gap < 0.0));
+    c.gap += gap - reached;
+  }
+  if (!missed) {
+    note_pressed(island, straight);
+    return;
+  }
+  const IslandSolution solution = removal_.apart(bent, start_, targets, step.book);
+  const bool found = solution.status == QpStatus::optimal;
+  if (found) fly_half(island, solution, step.state);
+  note_pressed(island, found ? solution : straight);
+}
+
+/// Velocities and books at the end of the way.
+void RattleStepper::arrive(Step& step, double t) {
+  for (std::size_t i = 0; i < step.state.size(); ++i) {
+    step.state[i].velocity = half_[i].velocity + 0.5 * h_ * system_->gravity;
+    step.state[i].spin = half_[i].spin;
+  }
+  step.overlap = removal_.left();
+  find_touching(step);
+  keep_turning(*system_, cleaned_, flown_, step.state);
+  hit(step);
+  step.error = error_of(step.state);
+  StepRecord record;
+  find_components(record);
+  book_blows(step, record, t);
+  settle_energy(record, step, t);
+  step.record = std::make_shared<const StepRecord>(std::move(record));
+}
+
+/// Contacts at the end of the way: what touches there, and what was pressed and is still near.
+void RattleStepper::find_touching(Step& step) {
+  finder_.find(*system_, step.state, contacts_, touching_share);
+  note_overlap(finder_.deepest().depth, finder_.deepest().scale, step.book.audit);
+  std::erase_if(contacts_, [&](const Contact& c) { return is_covered(*system_, c); });
+  std::vector<ContactId> found;
   for (const Contact& c : contacts_)
-    pressed_.push_back({c, 0.0});
-  return arrive(state, t + h, book);
+    found.push_back(c.id());
+  std::ranges::sort(found);
+  for (auto& [id, blow] : blows_) {
+    blow.end = at_poses(*system_, finder_.boxes(), blow.start);
+    if (!std::ranges::binary_search(found, id)
+        && std::abs(blow.end.gap) < pressed_share * contact_scale(*system_, blow.end))
+      contacts_.push_back(blow.end);
+  }
+  for (const Contact& c : contacts_)
+    blows_.emplace(c.id(), Blow{at_poses(*system_, removal_.near().start_boxes(), c), c});
 }
 
-/// Velocities at the end of the way from the start to `state`.
-double RattleStepper::arrive(State& state, double t, Bookkeeping& book) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    state[i].velocity = (state[i].position - start_[i].position) / h_ + 0.5 * h_ * system_->gravity;
-    state[i].spin = (state[i].angle - start_[i].angle) / h_;
+/// Moreau's impact over all that touches, one island after the other.
+void RattleStepper::hit(Step& step) {
+  find_islands(*system_, contacts_, islands_);
+  before_ = step.state;
+  for (const Island& island : islands_) {
+    if (!closes(*system_, step.state, island)) continue;
+    const IslandSolution after = impact(*system_, step.state, island, dynamics_).after;
+    keep_book(after, step.book);
+    const double least = after.least_pressing();
+    for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+      const Contact& c = island.contacts[k];
+      if (after.forces[k] <= least) continue;
+      const Vec2 impulse = after.forces[k] * c.normal;
+      push(*system_, c, impulse, step.state);
+      blows_.at(c.id()).second = impulse;
+    }
   }
-  const std::size_t first_event = book.events.size();
-  hit(state, t, book);
-  estimate_error(state);
-  const double rise = energy(*system_, state) - energy(*system_, start_);
-  if (rise < 0.0 && book.events.size() > first_event) {
-    book.events.back().loss = -rise;
-    book.events.back().lost_at = t;
-  }
-  return rise;
 }
 
-void RattleStepper::estimate_error(const State& state) {
+/// Cubes that pushed one another, and the fixed bodies that keep them.
+void RattleStepper::find_components(StepRecord& record) {
+  contacts_.clear();
+  for (const auto& [id, blow] : blows_) {
+    if (blow.acts()) contacts_.push_back(blow.end);
+  }
+  find_islands(*system_, contacts_, islands_);
+  std::vector<int> component(start_.size(), -1);
+  for (const Island& island : islands_) {
+    for (const int cube : island.cubes)
+      component[cube] = static_cast<int>(record.components.size());
+    record.components.push_back({island.cubes, {}, {}});
+  }
+  for (const auto& [id, blow] : blows_) {
+    const Contact& c = blow.end;
+    if (system_->is_cube(c.on) && system_->is_cube(c.from)) continue;
+    const int k = component[system_->is_cube(c.on) ? c.on : c.from];
+    if (k < 0 || !(blow.acts() || is_near(c, touching_share))) continue;
+    std::vector<Vec2>& normals = record.components[k].fixed_normals;
+    if (normals.size() < 2) normals.push_back(c.normal);
+  }
+}
+
+/// Work of a contact in both halves, J: what its impulses do against the mean velocities that they change, gravity
+/// aside.
+double RattleStepper::work(const Blow& blow, const State& end) const {
+  const auto against = [&](const Contact& c, const State& a, const State& b, const Vec2& more) {
+    const auto relative = [&](const State& state) { return relative_velocity(*system_, state, c); };
+    Vec2 mean = 0.5 * (relative(a) + relative(b));
+    if (system_->is_cube(c.on) != system_->is_cube(c.from))
+      mean += system_->is_cube(c.on) ? more : Vec2(-more);
+    return mean;
+  };
+  const Vec2 less = -0.25 * h_ * system_->gravity;
+  double sum = 0.0;
+  if (!blow.first.isZero(0.0)) sum += blow.first.dot(against(blow.start, start_, half_, less));
+  if (!blow.second.isZero(0.0))
+    sum += blow.second.dot(against(blow.end, before_, end, Vec2::Zero()));
+  return sum;
+}
+
+/// Whether the contact is closed at the start and does not close: its work is the sway of the method.
+bool RattleStepper::lasts(const Blow& blow) const {
+  return blow.start.gap <= touching_share * contact_scale(*system_, blow.start)
+         && closing_speed(blow.start) <= impact_steps;
+}
+
+/// The share of the step at which a gap closes at the speed of the start; 1 where it closes more slowly than an
+/// impact.
+double RattleStepper::struck_at(const Blow& blow) const {
+  const double speed = closing_speed(blow.start);
+  if (speed <= impact_steps) return 1.0;
+  return std::clamp(blow.start.gap / (speed * scales_.gravity * h_ * h_), 0.0, 1.0);
+}
+
+/// Impulses, and what they cost: a contact that closes loses what its impulses take; in a component where something
+/// is struck so do all others, as one.
+void RattleStepper::book_blows(Step& step, StepRecord& record, double t) const {
+  std::vector<int> component(start_.size(), -1);
+  for (std::size_t k = 0; k < record.components.size(); ++k) {
+    for (const int cube : record.components[k].cubes)
+      component[cube] = static_cast<int>(k);
+  }
+  std::vector<double> lasting(record.components.size(), 0.0);
+  std::vector<double> last_struck(record.components.size(), -1.0);
+  for (const auto& [id, blow] : blows_) {
+    if (!blow.acts()) continue;
+    const bool struck = closing_speed(blow.start) > impact_steps;
+    const double share = struck_at(blow);
+    record.impulses.push_back(impulse_of(blow, step.state, struck ? share : 0.0, share));
+    const int k = component[system_->is_cube(blow.end.on) ? blow.end.on : blow.end.from];
+    const double loss = -work(blow, step.state);
+    if (lasts(blow)) {
+      lasting[k] += loss;
+    } else if (loss > 0.0) {
+      record.components[k].losses.push_back({share, loss});
+    }
+    if (!struck) continue;
+    last_struck[k] = std::max(last_struck[k], share);
+    step.book.events.push_back({t + share * h_, EventKind::impact, system_->body(blow.end.on).name,
+                                system_->body(blow.end.from).name, blow.end.point,
+                                (blow.first + blow.second).dot(blow.end.normal)});
+  }
+  for (std::size_t k = 0; k < lasting.size(); ++k) {
+    if (last_struck[k] >= 0.0 && lasting[k] > 0.0)
+      record.components[k].losses.push_back({last_struck[k], lasting[k]});
+  }
+  std::stable_sort(step.book.events.begin(), step.book.events.end(),
+                   [](const Event& a, const Event& b) { return a.t < b.t; });
+}
+
+StepImpulse RattleStepper::impulse_of(const Blow& blow,
+                                      const State& end,
+                                      double from,
+                                      double to) const {
+  const auto turn = [&](int body) {
+    if (!system_->is_cube(body)) return 0.0;
+    return det(blow.start.point - start_[body].position, blow.first)
+           + det(blow.end.point - end[body].position, blow.second);
+  };
+  const Contact& c = blow.end;
+  return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from), from, to};
+}
+
+/// What contacts have taken is lost; what else has changed of a component's energy is put right.
+void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) const {
+  for (StepComponent& part : record.components) {
+    double goal = energy_of(*system_, start_, part.cubes);
+    for (const StepLoss& loss : part.losses) {
+      goal -= loss.energy;
+      step.book.losses.push_back({t + loss.share * h_, loss.energy});
+    }
+    step.rise += std::max(0.0, energy_of(*system_, step.state, part.cubes) - goal);
+    const RigidMotion kept =
+        kept_motion(momentum_of(*system_, step.state, part.cubes), part.fixed_normals);
+    scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, step.state);
+  }
+  std::stable_sort(step.book.losses.begin(), step.book.losses.end(),
+                   [](const Loss& a, const Loss& b) { return a.t < b.t; });
+}
+
+double RattleStepper::error_of(const State& state) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < state.size(); ++i) {
     const BodyState& a = start_[i];
@@ -110,149 +385,7 @@ void RattleStepper::estimate_error(const State& state) {
     const double turn = radius * (b.angle - a.angle - 0.5 * h_ * (a.spin + b.spin));
     sum += way.squaredNorm() + turn * turn;
   }
-  error_ = std::sqrt(sum / static_cast<double>(state.size())) / scales_.length;
-}
-
-void RattleStepper::place(State& state, Bookkeeping& book) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    state[i].position = predicted_[i].position;
-    state[i].angle = predicted_[i].angle;
-  }
-  pressed_.clear();
-  removal_.near().find_towards(predicted_, near_share, contacts_);
-  find_islands(*system_, contacts_, islands_);
-  for (const Island& island : islands_)
-    place_island(island, state, book);
-}
-
-/// Displacements are from the start.
-void RattleStepper::place_cubes(const Island& island,
-                                const IslandSolution& solution,
-                                State& state) const {
-  for (std::size_t m = 0; m < island.cubes.size(); ++m) {
-    const auto i = static_cast<std::size_t>(island.cubes[m]);
-    state[i].position = start_[i].position + solution.twists[m].linear;
-    state[i].angle = start_[i].angle + solution.twists[m].angular;
-  }
-}
-
-void RattleStepper::note_pressed(const Island& island, const IslandSolution& solution) {
-  const double least = solution.least_pressing();
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (solution.forces[k] > least)
-      pressed_.push_back({island.contacts[k], solution.forces[k] / h_});
-  }
-}
-
-/// How fast the contact closes at the start, in units of g h.
-double RattleStepper::closing_speed(const Contact& contact) const {
-  const double rate = gap_rate(contact, contact_velocity(*system_, start_, contact));
-  return -rate / (scales_.gravity * h_);
-}
-
-void RattleStepper::place_island(const Island& island, State& state, Bookkeeping& book) {
-  // Where free flight touches nothing there is nothing to solve.
-  const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
-    return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
-  });
-  if (free) {
-    ++book.cost.skipped_certificate;
-    return;
-  }
-  std::vector<Twist> targets;
-  for (const int cube : island.cubes) {
-    const auto i = static_cast<std::size_t>(cube);
-    targets.push_back(
-        {predicted_[i].position - start_[i].position, predicted_[i].angle - start_[i].angle});
-  }
-  const IslandSolution straight = removal_.apart(island, start_, targets, book);
-  place_cubes(island, straight, state);
-  // Where something is struck within the step its order is one anyway.
-  const double least = straight.least_pressing();
-  bool rough = false;
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    rough =
-        rough || (straight.forces[k] > least && closing_speed(island.contacts[k]) > rough_steps);
-  }
-  if (rough) {
-    note_pressed(island, straight);
-  } else {
-    bend(island, targets, straight, state, book);
-  }
-}
-
-/// The placement once more: directions stay those of the start, gaps are measured where the cubes
-/// have come. That makes the order two. Where these contradict one another the first place is as
-/// good a start for the clean-up.
-void RattleStepper::bend(const Island& island,
-                         const std::vector<Twist>& targets,
-                         const IslandSolution& straight,
-                         State& state,
-                         Bookkeeping& book) {
-  pose_boxes(*system_, state, boxes_);
-  const State moved = displacement_of(start_, state);
-  Island bent = island;
-  bool missed = false;
-  for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
-    Contact& c = bent.contacts[k];
-    const double gap = at_poses(*system_, boxes_, c).gap;
-    const double reached = c.gap + gap_rate(c, contact_velocity(*system_, moved, c));
-    missed = missed
-             || (std::abs(gap - reached) > bent_share * contact_scale(*system_, c)
-                 && (straight.forces[k] > 0.0 || gap < 0.0));
-    c.gap += gap - reached;
-  }
-  if (!missed) {
-    note_pressed(island, straight);
-    return;
-  }
-  const IslandSolution solution = removal_.apart(bent, start_, targets, book);
-  const bool found = solution.status == QpStatus::optimal;
-  if (found) place_cubes(island, solution, state);
-  note_pressed(island, found ? solution : straight);
-}
-
-double RattleStepper::stop_short(State& state, double t, Bookkeeping& book) {
-  removal_.retreat(state);
-  return arrive(state, t + h_, book);
-}
-
-void RattleStepper::hit(State& state, double t, Bookkeeping& book) {
-  finder_.find(*system_, state, contacts_, touching_share);
-  note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
-  std::map<ContactId, Pressed> blows;
-  for (const Contact& c : contacts_)
-    blows.emplace(c.id(), Pressed{c, 0.0});
-  for (const Pressed& p : pressed_) {
-    const auto [blow, is_new] = blows.emplace(p.contact.id(), p);
-    if (!is_new) {
-      blow->second.impulse += p.impulse;
-      continue;
-    }
-    const Contact now = at_poses(*system_, finder_.boxes(), p.contact);
-    if (std::abs(now.gap) < pressed_share * contact_scale(*system_, now)) contacts_.push_back(now);
-  }
-  find_islands(*system_, contacts_, islands_);
-  for (const Island& island : islands_) {
-    if (!closes(*system_, state, island)) continue;
-    const IslandSolution solution = impact(*system_, state, island, dynamics_).after;
-    keep_book(solution, book);
-    set_velocities(island, solution.twists, state);
-    for (std::size_t k = 0; k < island.contacts.size(); ++k)
-      blows.at(island.contacts[k].id()).impulse += solution.forces[k];
-  }
-  const std::size_t first = book.events.size();
-  for (const auto& [id, blow] : blows) {
-    const Contact c = at_poses(*system_, removal_.near().start_boxes(), blow.contact);
-    const double speed = closing_speed(c);
-    if (blow.impulse <= 0.0 || speed <= impact_steps) continue;
-    // Where the gap closes at the speed of the start.
-    const double flight = std::clamp(c.gap / (speed * scales_.gravity * h_), 0.0, h_);
-    book.events.push_back({t - h_ + flight, EventKind::impact, system_->body(c.on).name,
-                           system_->body(c.from).name, blow.contact.point, blow.impulse, 0.0});
-  }
-  std::stable_sort(book.events.begin() + static_cast<std::ptrdiff_t>(first), book.events.end(),
-                   [](const Event& a, const Event& b) { return a.t < b.t; });
+  return std::sqrt(sum / static_cast<double>(state.size())) / scales_.length;
 }
 
 bool RattleStepper::is_near(const Contact& c, double share) const {
@@ -263,24 +396,25 @@ bool RattleStepper::is_near(const Contact& c, double share) const {
 
 std::vector<Contact> RattleStepper::loaded() const {
   std::vector<Contact> loaded;
-  for (const Pressed& p : pressed_) {
-    const Contact now = at_poses(*system_, finder_.boxes(), p.contact);
-    if (p.impulse > 0.0 && is_near(now, pressed_share)) loaded.push_back(now);
+  for (const auto& [id, blow] : blows_) {
+    if (!blow.first.isZero(0.0) && is_near(blow.end, pressed_share)) loaded.push_back(blow.end);
   }
   return loaded;
 }
 
 void RattleStepper::close_gaps(State& state) {
-  pose_boxes(*system_, state, boxes_);
+  std::vector<Box> boxes;
+  pose_boxes(*system_, state, boxes);
   contacts_.clear();
-  for (const Pressed& p : pressed_) {
-    const Contact now = at_poses(*system_, boxes_, p.contact);
-    if (is_near(now, closable_share)) contacts_.push_back(now);
+  for (const auto& [id, blow] : blows_) {
+    const Contact now = at_poses(*system_, boxes, blow.end);
+    if (blow.acts() && is_near(now, closable_share)) contacts_.push_back(now);
   }
   closed_.close(contacts_, {});
   State next = state;
   for (int k = 0; k < closings; ++k)
     closed_.project_positions(next);
+  keep_turning(*system_, contacts_, state, next);
   finder_.find(*system_, next, contacts_, 0.0);
   const bool apart = finder_.deepest().depth <= closed_overlap * finder_.deepest().scale;
   const bool closed = std::ranges::all_of(closed_.contacts(), [&](const Contact& c) {

@@ -1,15 +1,20 @@
 /// Second-order time stepping for crowded scenes: unilateral RATTLE as quadratic programs.
 ///
-///   1. position program: the place nearest to free flight, q + h v + h^2 g / 2, with contact
-///   forces
+///   1. position program: the place nearest to free flight, q + h v + h^2 g / 2, with contact forces
 ///      along the directions of the step's start (that is what makes the order two),
-///   2. clean-up: the nearest place without overlap, with directions of the end,
-///   3. velocity program: the velocity nearest to (x - q) / h + h g / 2 that closes no gap.
+///   2. clean-up: the nearest place without overlap, with directions of the end; no velocity knows of it,
+///   3. velocity program: the velocity nearest to that after the first half that closes no gap.
 ///
-/// After Andersen, "Rattle: a velocity version of the Shake algorithm", J. Comput. Phys. 52 (1983)
-/// 24, and Moreau's sweeping process for the inequalities.
+/// Velocities are those at the start changed by gravity and by the impulses of 1 and 3, which act and react: no
+/// momentum changes but by fixed bodies, however exactly the programs are solved. Their work is known contact by
+/// contact: that of contacts that close is lost; what is left over is the sway of the method and is given back.
+///
+/// After Andersen, "Rattle: a velocity version of the Shake algorithm", J. Comput. Phys. 52 (1983) 24, and Moreau's
+/// sweeping process for the inequalities [Moreau 1988].
 #pragma once
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "core/dynamics/closed_contacts.h"
@@ -17,56 +22,77 @@
 #include "core/model/scales.h"
 #include "core/time/bookkeeping.h"
 #include "core/time/stepping/overlap_removal.h"
-#include "core/time/stepping/step_look.h"
+#include "core/time/stepping/step_record.h"
 
 namespace wuerfel {
+
+/// Closing speeds and changes of velocity within a step that exceed so many g h make it rough: an impact, and of
+/// order one.
+inline constexpr double rough_steps = 3.0;
+
+/// A step that was tried.
+struct Step {
+  State state;       ///< at its end
+  Bookkeeping book;  ///< events, losses, overlap and cost
+  std::shared_ptr<const StepRecord> record;
+  /// Local error as a share of the smallest side: the root mean square, over cubes that struck nothing, of what
+  /// their way differs from the trapezoidal rule over their velocities, which is of third order as the error is.
+  double error = 0.0;
+  double rise = 0.0;     ///< J, by how much energy rose that had to be taken back
+  double overlap = 0.0;  ///< left, as a share of the smaller side of the pair
+};
 
 class RattleStepper {
  public:
   RattleStepper(const System& system, const MotionSettings& settings);
 
-  /// One step of `h` s from a state without overlap at time t. Impacts are booked as events, losses
-  /// of energy as theirs. Returns by how much the energy has risen, J (negative: fallen).
-  double step(State& state, double t, double h, Bookkeeping& book);
-  /// Overlap that the last step left, as a share of the smaller side of the pair: the programs of
-  /// wedged cubes may contradict themselves, and a shorter step does better.
-  [[nodiscard]] double overlap_left() const { return removal_.left(); }
-  /// Local error of the last step as a share of the smallest side: the root mean square, over cubes
-  /// that struck nothing, of what their way differs from the trapezoidal rule over their
-  /// velocities, which is of third order as the error is.
-  [[nodiscard]] double error() const { return error_; }
-  /// The last step again, with cubes that overlap at its end stopped short on their way: for those
-  /// that no step is short enough for.
-  double stop_short(State& state, double t, Bookkeeping& book);
+  /// One step of `h` s from a state without overlap at time t.
+  [[nodiscard]] Step step(const State& state, double t, double h);
+  /// The last step again, with cubes that overlap at its end stopped short on their way: for those that no step is
+  /// short enough for.
+  [[nodiscard]] Step stop_short(Step tried, double t);
 
-  /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing
-  /// tunnels.
+  /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing tunnels.
   [[nodiscard]] double longest_step(const State& state) const;
 
   /// Contacts that carried load in the last step and are still near.
   [[nodiscard]] std::vector<Contact> loaded() const;
-  /// Closes gaps of contacts that carried load in the last step, so that what leans on each other
-  /// touches. Leaves the state as it is where that is not possible.
+  /// Closes gaps of contacts that carried load in the last step, so that what leans on each other touches. Leaves
+  /// the state as it is where that is not possible.
   void close_gaps(State& state);
 
  private:
-  struct Pressed {
-    Contact contact;
-    double impulse = 0.0;  ///< N s, of the position program
+  /// A contact that acts in a step, and its impulses (N s) on the body of the corner, of both halves.
+  struct Blow {
+    Contact start;  ///< as it is at the start of the step
+    Contact end;    ///< where the cubes have come
+    Vec2 first = Vec2::Zero();
+    Vec2 second = Vec2::Zero();
+    [[nodiscard]] bool acts() const { return !first.isZero(0.0) || !second.isZero(0.0); }
   };
-  void place(State& state, Bookkeeping& book);
-  void place_island(const Island& island, State& state, Bookkeeping& book);
+  void place(Step& step);
+  void place_island(const Island& island, Step& step);
   void bend(const Island& island,
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
-            State& state,
-            Bookkeeping& book);
-  void place_cubes(const Island& island, const IslandSolution& solution, State& state) const;
+            Step& step);
+  void fly_half(const Island& island, const IslandSolution& solution, State& state);
   void note_pressed(const Island& island, const IslandSolution& solution);
-  double arrive(State& state, double t, Bookkeeping& book);
-  void hit(State& state, double t, Bookkeeping& book);
+  void arrive(Step& step, double t);
+  void find_touching(Step& step);
+  void hit(Step& step);
+  void find_components(StepRecord& record);
+  [[nodiscard]] double work(const Blow& blow, const State& end) const;
   [[nodiscard]] double closing_speed(const Contact& contact) const;
-  void estimate_error(const State& state);
+  [[nodiscard]] bool lasts(const Blow& blow) const;
+  [[nodiscard]] double struck_at(const Blow& blow) const;
+  [[nodiscard]] StepImpulse impulse_of(const Blow& blow,
+                                       const State& end,
+                                       double from,
+                                       double to) const;
+  void book_blows(Step& step, StepRecord& record, double t) const;
+  void settle_energy(StepRecord& record, Step& step, double t) const;
+  [[nodiscard]] double error_of(const State& state) const;
   [[nodiscard]] bool is_near(const Contact& contact, double share) const;
 
   const System* system_;
@@ -75,14 +101,15 @@ class RattleStepper {
   ClosedContacts closed_;
   ContactFinder finder_;
   Scales scales_;
-  double error_ = 0.0;
-  double h_ = 0.0;          ///< s, of the step
-  State start_;             ///< of the step
-  State predicted_;         ///< where free flight would lead
-  std::vector<Box> boxes_;  ///< where it is being looked at
-  std::vector<Contact> contacts_;
-  std::vector<Pressed> pressed_;
-  std::vector<Island> islands_;
+  double h_ = 0.0;  ///< s, of the step
+  State start_;     ///< of the step
+  State half_;      ///< the start with the velocities between the halves
+  State flown_;     ///< the end before the clean-up
+  State before_;    ///< the end with the velocities before the second impulses
+  std::map<ContactId, Blow> blows_;
+  std::vector<Contact> cleaned_;   ///< contacts of the clean-up
+  std::vector<Contact> contacts_;  ///< scratch
+  std::vector<Island> islands_;    ///< scratch
 };
 
 }  // namespace wuerfel

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/momentum.h"
+#include "core/time/stepping/rattle_stepper.h"
+
 namespace wuerfel {
 namespace {
 
-/// Where a cube is at `share` of a step of `h` s. What is struck, so that its velocity changes by
+/// Place of a cube at `share` of a step of `h` s. What is struck, so that its velocity changes by
 /// more than `rough` (m/s), flies on until it is: the instant follows from the way it has come.
-BodyState between(const BodyState& from,
-                  const BodyState& to,
-                  double h,
-                  double share,
-                  double radius,
-                  double rough) {
+BodyState way_between(const BodyState& from,
+                      const BodyState& to,
+                      double h,
+                      double share,
+                      double radius,
+                      double rough) {
   const Vec2 change = to.velocity - from.velocity;
   const double turn = radius * (to.spin - from.spin);
   const double square = change.squaredNorm() + turn * turn;
@@ -27,11 +30,6 @@ BodyState between(const BodyState& from,
     const double by_last = s * s * (1.0 - s) * h;
     state.position += to_end * way + by_first * from.velocity - by_last * to.velocity;
     state.angle += to_end * (to.angle - from.angle) + by_first * from.spin - by_last * to.spin;
-    const double of_way = 6.0 * s * (1.0 - s) / h;
-    const double of_first = (1.0 - s) * (1.0 - 3.0 * s);
-    const double of_last = s * (3.0 * s - 2.0);
-    state.velocity = of_way * way + of_first * from.velocity + of_last * to.velocity;
-    state.spin = of_way * (to.angle - from.angle) + of_first * from.spin + of_last * to.spin;
     return state;
   }
   const double flown =
@@ -45,39 +43,109 @@ BodyState between(const BodyState& from,
       to.angle - from.angle - h * (struck * from.spin + (1.0 - struck) * to.spin);
   state.position += before * from.velocity + after * to.velocity + share * missed;
   state.angle += before * from.spin + after * to.spin + share * missed_turn;
-  if (share >= struck) {
-    state.velocity = to.velocity;
-    state.spin = to.spin;
-  }
   return state;
+}
+
+/// Looks may not depend on other looks.
+MotionSettings without_memory(MotionSettings settings) {
+  settings.skips.certificate = false;
+  settings.skips.warm_start = false;
+  return settings;
 }
 
 }  // namespace
 
-void bring_down(const System& system, double ceiling, State& state) {
-  const double excess = energy(system, state) - ceiling;
-  if (excess <= 0.0) return;
-  const double kinetic = kinetic_energy(system, state);
-  const double share = kinetic > excess ? std::sqrt(1.0 - excess / kinetic) : 0.0;
-  for (BodyState& s : state) {
-    s.velocity *= share;
-    s.spin *= share;
+StepLook::StepLook(const System& system, const MotionSettings& settings)
+    : system_(&system), removal_(system, without_memory(settings)) {}
+
+State StepLook::between(const State& from, const State& to, double h, double share) const {
+  const double rough = rough_steps * scales_of(*system_, from).gravity * h;
+  State state = from;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    state[i] = way_between(from[i], to[i], h, share, system_->bodies[i].radius(), rough);
+  return state;
+}
+
+/// Velocities of the start, changed by gravity and by the impulses up to then. What is still missing at the end comes
+/// evenly.
+void StepLook::set_velocities(const State& from,
+                              const State& to,
+                              double h,
+                              double share,
+                              const StepRecord& record,
+                              State& state) const {
+  State end = from;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state[i].velocity = from[i].velocity + share * h * system_->gravity;
+    state[i].spin = from[i].spin;
+    end[i].velocity += h * system_->gravity;
+  }
+  const auto add = [&](int cube, const Vec2& linear, double turn, double part, State& sum) {
+    if (!system_->is_cube(cube)) return;
+    const Body& body = system_->body(cube);
+    sum[cube].velocity += part / body.mass * linear;
+    sum[cube].spin += part / body.inertia * turn;
+  };
+  for (const StepImpulse& p : record.impulses) {
+    const double part = p.end > p.begin
+                            ? std::clamp((share - p.begin) / (p.end - p.begin), 0.0, 1.0)
+                            : (share >= p.begin ? 1.0 : 0.0);
+    add(p.on, p.linear, p.turn_on, part, state);
+    add(p.from, -p.linear, p.turn_from, part, state);
+    add(p.on, p.linear, p.turn_on, 1.0, end);
+    add(p.from, -p.linear, p.turn_from, 1.0, end);
+  }
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state[i].velocity += share * (to[i].velocity - end[i].velocity);
+    state[i].spin += share * (to[i].spin - end[i].spin);
   }
 }
 
-State StepLook::at(const State& from, const State& to, double h, double share) {
-  removal_.begin(from, h);
-  const double rough = rough_steps * scales_of(*system_, from).gravity * h;
-  State state = from;
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const double radius = system_->bodies[i].radius();
-    state[i] = between(from[i], to[i], h, share, radius, rough);
+/// Angular momentum changes by gravity alone where nothing fixed is touched.
+void StepLook::turn_on(const StepComponent& part, const State& from, double t, State& state) const {
+  if (!part.fixed_normals.empty()) return;
+  const Momentum before = momentum_of(*system_, from, part.cubes);
+  const Momentum now = momentum_of(*system_, state, part.cubes);
+  const Vec2& g = system_->gravity;
+  const double due = before.angular + det(before.center, before.linear)
+                     + t * det(before.mass * before.center + 0.5 * t * before.linear, g);
+  const double spin = (due - now.angular - det(now.center, now.linear)) / now.inertia;
+  turn(part.cubes, {now.center, Vec2::Zero(), spin}, state);
+}
+
+void StepLook::settle_energy(const StepComponent& part,
+                             const State& from,
+                             const State& to,
+                             double share,
+                             State& state) const {
+  const double start = energy_of(*system_, from, part.cubes);
+  double goal = start;
+  double all = 0.0;
+  for (const StepLoss& loss : part.losses) {
+    all += loss.energy;
+    if (loss.share <= share) goal -= loss.energy;
   }
+  goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
+  const RigidMotion kept =
+      kept_motion(momentum_of(*system_, state, part.cubes), part.fixed_normals);
+  scale_to_energy(*system_, part.cubes, kept, goal, unbounded, state);
+}
+
+State StepLook::at(
+    const State& from, const State& to, double h, double share, const StepRecord& record) {
+  State state = between(from, to, h, share);
+  set_velocities(from, to, h, share, record, state);
+  for (const StepComponent& part : record.components)
+    turn_on(part, from, share * h, state);
+  const State uncleaned = state;
+  removal_.begin(from, h);
   Bookkeeping aside;
-  std::vector<Contact> pushing;
-  removal_.clean_up(state, pushing, aside);
+  std::vector<Contact> cleaned;
+  removal_.clean_up(state, cleaned, aside);
   if (removal_.left() > overlap_share) removal_.retreat(state);
-  bring_down(*system_, std::max(energy(*system_, from), energy(*system_, to)), state);
+  keep_turning(*system_, cleaned, uncleaned, state);
+  for (const StepComponent& part : record.components)
+    settle_energy(part, from, to, share, state);
   return state;
 }
 

@@ -1,28 +1,35 @@
-/// Looks between the ends of a step.
+/// States between the ends of a step.
 #pragma once
 
 #include "core/time/stepping/overlap_removal.h"
+#include "core/time/stepping/step_record.h"
 
 namespace wuerfel {
 
-/// Closing speeds and changes of velocity within a step that exceed so many g h make it rough: an
-/// impact, and of order one.
-inline constexpr double rough_steps = 3.0;
-
-/// Takes from the velocities what a state's energy exceeds `ceiling` (J) by: J v >= 0 is true of a
-/// share of v, too.
-void bring_down(const System& system, double ceiling, State& state);
-
 class StepLook {
  public:
-  StepLook(const System& system, const MotionSettings& settings)
-      : system_(&system), removal_(system, settings) {}
+  StepLook(const System& system, const MotionSettings& settings);
 
-  /// Where the cubes are at `share` of a step of `h` s from one state to the next: without overlap,
-  /// and with no more energy than at its ends.
-  [[nodiscard]] State at(const State& from, const State& to, double h, double share);
+  /// Where the cubes are at `share` of a step of `h` s from one state to the next: without overlap, with the momentum
+  /// that the impulses have left by then, and with the energy of the start less what was lost by then.
+  [[nodiscard]] State at(
+      const State& from, const State& to, double h, double share, const StepRecord& record);
 
  private:
+  State between(const State& from, const State& to, double h, double share) const;
+  void set_velocities(const State& from,
+                      const State& to,
+                      double h,
+                      double share,
+                      const StepRecord& record,
+                      State& state) const;
+  void turn_on(const StepComponent& part, const State& from, double t, State& state) const;
+  void settle_energy(const StepComponent& part,
+                     const State& from,
+                     const State& to,
+                     double share,
+                     State& state) const;
+
   const System* system_;
   OverlapRemoval removal_;
 };

@@ -1,0 +1,130 @@
+#include "core/dynamics/momentum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// Normals are parallel where their cross product is no more than this.
+constexpr double parallel = 1e-9;
+
+/// From the centre of the body of the side to the place of the corner.
+Vec2 arm_of_side(const Contact& c) {
+  return c.alpha * c.arm_j + (1.0 - c.alpha) * c.arm_i + c.gap * c.normal;
+}
+
+}  // namespace
+
+Vec2 relative_velocity(const System& system, const State& state, const Contact& c) {
+  Vec2 v = Vec2::Zero();
+  if (system.is_cube(c.on)) v += state[c.on].velocity + state[c.on].spin * perp(c.arm_k);
+  if (system.is_cube(c.from))
+    v -= state[c.from].velocity + state[c.from].spin * perp(arm_of_side(c));
+  return v;
+}
+
+void turn(std::span<const int> cubes, const RigidMotion& more, State& state) {
+  for (const int cube : cubes) {
+    state[cube].velocity += more.at(state[cube].position);
+    state[cube].spin += more.spin;
+  }
+}
+
+void push(const System& system, const Contact& c, const Vec2& impulse, State& state) {
+  const auto add = [&](int cube, const Vec2& arm, const Vec2& p) {
+    const Body& body = system.body(cube);
+    state[cube].velocity += p / body.mass;
+    state[cube].spin += det(arm, p) / body.inertia;
+  };
+  if (system.is_cube(c.on)) add(c.on, c.arm_k, impulse);
+  if (system.is_cube(c.from)) add(c.from, arm_of_side(c), -impulse);
+}
+
+Momentum momentum_of(const System& system, const State& state, std::span<const int> cubes) {
+  Momentum sum;
+  for (const int cube : cubes) {
+    const double mass = system.body(cube).mass;
+    sum.mass += mass;
+    sum.center += mass * state[cube].position;
+    sum.linear += mass * state[cube].velocity;
+  }
+  if (sum.mass > 0.0) sum.center /= sum.mass;
+  for (const int cube : cubes) {
+    const Body& body = system.body(cube);
+    const Vec2 r = state[cube].position - sum.center;
+    sum.angular += body.mass * det(r, state[cube].velocity) + body.inertia * state[cube].spin;
+    sum.inertia += body.mass * r.squaredNorm() + body.inertia;
+  }
+  return sum;
+}
+
+void keep_turning(const System& system,
+                  const std::vector<Contact>& contacts,
+                  const State& before,
+                  State& state) {
+  std::vector<Island> islands;
+  find_islands(system, contacts, islands);
+  for (const Island& island : islands) {
+    const bool fixed = std::ranges::any_of(island.contacts, [&](const Contact& c) {
+      return !system.is_cube(c.on) || !system.is_cube(c.from);
+    });
+    double change = 0.0;
+    for (const int cube : island.cubes) {
+      const Vec2 moved = state[cube].position - before[cube].position;
+      change += system.body(cube).mass * det(moved, state[cube].velocity);
+    }
+    if (fixed || change == 0.0) continue;
+    const Momentum sum = momentum_of(system, state, island.cubes);
+    turn(island.cubes, {sum.center, Vec2::Zero(), -change / sum.inertia}, state);
+  }
+}
+
+double energy_of(const System& system, const State& state, std::span<const int> cubes) {
+  double sum = 0.0;
+  for (const int cube : cubes) {
+    const Body& body = system.body(cube);
+    sum += kinetic_energy(body, state[cube]) - body.mass * system.gravity.dot(state[cube].position);
+  }
+  return sum;
+}
+
+RigidMotion kept_motion(const Momentum& momentum, std::span<const Vec2> fixed_normals) {
+  const Vec2 mean = momentum.linear / momentum.mass;
+  if (fixed_normals.empty()) {
+    return {momentum.center, mean, momentum.angular / momentum.inertia};
+  }
+  const Vec2 n = fixed_normals.front();
+  const bool one_direction = std::ranges::all_of(
+      fixed_normals, [&](const Vec2& m) { return std::abs(det(n, m)) <= parallel; });
+  if (!one_direction) return {};
+  const Vec2 t = perp(n);
+  return {momentum.center, mean.dot(t) * t, 0.0};
+}
+
+double scale_to_energy(const System& system,
+                       std::span<const int> cubes,
+                       const RigidMotion& kept,
+                       double goal,
+                       double most,
+                       State& state) {
+  double rest = 0.0;
+  for (const int cube : cubes) {
+    const Body& body = system.body(cube);
+    const BodyState& s = state[cube];
+    rest += kinetic_energy(body, {{}, 0.0, s.velocity - kept.at(s.position), s.spin - kept.spin});
+  }
+  const double missing = goal - energy_of(system, state, cubes);
+  if (rest <= 0.0) return missing;
+  const double square = std::clamp(1.0 + missing / rest, 0.0, most * most);
+  const double factor = std::sqrt(square);
+  for (const int cube : cubes) {
+    BodyState& s = state[cube];
+    const Vec2 v = kept.at(s.position);
+    s.velocity = v + factor * (s.velocity - v);
+    s.spin = kept.spin + factor * (s.spin - kept.spin);
+  }
+  return missing - (square - 1.0) * rest;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,65 @@
+/// Impulses at contacts, and what they may not change: momentum and angular momentum, to rounding. Velocities are
+/// read from impulses, never from the unknowns of a program, which are only as exact as it was solved.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/constraints/islands.h"
+
+namespace wuerfel {
+
+/// Velocity of the corner p_k against the body of the side at the same place, m/s.
+Vec2 relative_velocity(const System& system, const State& state, const Contact& contact);
+
+/// Changes velocities by an impulse (N s) on the corner p_k and its opposite on the body of the side at the same
+/// place, so that neither sum of momenta nor of angular momenta changes.
+void push(const System& system, const Contact& contact, const Vec2& impulse, State& state);
+
+/// Sums over some cubes.
+struct Momentum {
+  double mass = 0.0;           ///< kg
+  Vec2 center = Vec2::Zero();  ///< m, of mass
+  Vec2 linear = Vec2::Zero();  ///< N s
+  double angular = 0.0;        ///< N m s, about `center`
+  double inertia = 0.0;        ///< kg m^2, about `center`
+};
+Momentum momentum_of(const System& system, const State& state, std::span<const int> cubes);
+
+/// Some cubes moving as one body: changes no gap between them.
+struct RigidMotion {
+  Vec2 center = Vec2::Zero();    ///< m
+  Vec2 velocity = Vec2::Zero();  ///< m/s, of the centre
+  double spin = 0.0;             ///< rad/s
+
+  [[nodiscard]] Vec2 at(const Vec2& place) const { return velocity + spin * perp(place - center); }
+};
+void turn(std::span<const int> cubes, const RigidMotion& more, State& state);
+
+/// Where cubes were moved from `before` without regard to their velocities, their angular momentum has changed with
+/// their places: each group that these contacts join, and that touches nothing fixed, turns by so much slower as a
+/// whole, which changes no gap.
+void keep_turning(const System& system,
+                  const std::vector<Contact>& contacts,
+                  const State& before,
+                  State& state);
+
+/// Kinetic and potential energy of some cubes, J.
+double energy_of(const System& system, const State& state, std::span<const int> cubes);
+
+/// The part of the motion of some cubes that contacts among themselves and with fixed bodies of these normals cannot
+/// change: all of their momentum where there is no normal, what is along the bodies where all normals are parallel,
+/// else nothing. What is left is orthogonal to it in the mass metric.
+RigidMotion kept_motion(const Momentum& momentum, std::span<const Vec2> fixed_normals);
+
+/// Brings the energy of some cubes to `goal` (J) by scaling what is not in `kept` of their velocities; no gap that
+/// does not close begins to. Their energy comes as near to it as scaling by 0 .. `most` can. Returns what is still
+/// missing, J (negative: too much).
+double scale_to_energy(const System& system,
+                       std::span<const int> cubes,
+                       const RigidMotion& kept,
+                       double goal,
+                       double most,
+                       State& state);
+
+}  // namespace wuerfel
