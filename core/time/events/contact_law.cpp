@@ -148,10 +148,9 @@ bool ContactLaw::add_overlapping(const State& state) {
 }
 
 void ContactLaw::strike(const Island& island, State& state, double t, Bookkeeping& book) {
-  const auto [after, loss] = impact(*system_, state, island, dynamics_);
+  const IslandSolution after = impact(*system_, state, island, dynamics_).after;
   keep_book(after, book);
   set_velocities(island, after.twists, state);
-  book.losses.push_back({t, loss});
   const double least = after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];

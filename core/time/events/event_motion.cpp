@@ -72,10 +72,14 @@ bool EventMotion::at_rest() const {
 
 void EventMotion::begin_phase(const ContactLimits& limits, Bookkeeping& book) {
   closure_.closed = closed_.contacts();
+  const double before = energy(*system_, state_);
   law_.apply(state_, clock_, limits, closure_, book);
   closed_.close(closure_.closed, closure_.resting);
   closed_.project_positions(state_);
   closed_.project_velocities(state_);
+  // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot.
+  const double loss = before - energy(*system_, state_);
+  if (loss > 0.0) book.losses.push_back({clock_, loss});
   search_.begin(state_, closed_.contacts(), closure_.resting);
   scales_ = scales_of(*system_, state_);
   const double tolerance = inner_share * settings_.tolerance;
