@@ -43,11 +43,11 @@ void OverlapRemoval::begin(const State& start, double h) {
   near_.begin(start, h, scales_.gravity);
 }
 
-double OverlapRemoval::margin(const Contact& c) const {
+double OverlapRemoval::margin(const Contact& c, double overlap) const {
   const double fall = scales_.gravity * h_ * h_;
   const double scale = contact_scale(*system_, c);
   return std::max(std::min(margin_share * scale, margin_of_fall * fall),
-                  std::min(margin_of_square * left_ * left_ * scale, square_of_fall * fall));
+                  std::min(margin_of_square * overlap * overlap * scale, square_of_fall * fall));
 }
 
 IslandSolution OverlapRemoval::apart(Island island,
@@ -55,14 +55,17 @@ IslandSolution OverlapRemoval::apart(Island island,
                                      std::span<const Twist> targets,
                                      Bookkeeping& book) {
   use_.assign(island.contacts.size(), SideUse::inequality);
+  double overlap = 0.0;
+  for (const Contact& c : island.contacts)
+    overlap = std::max(overlap, -c.gap / contact_scale(*system_, c));
   for (Contact& c : island.contacts)
-    c.gap -= margin(c);
+    c.gap -= margin(c, overlap);
   IslandSolution solution = dynamics_.correction(state, island, use_, targets);
   ++book.cost.qp_solves;
   if (solution.status == QpStatus::optimal) return solution;
   // No room for the margin, perhaps: cubes that fit exactly between others.
   for (Contact& c : island.contacts)
-    c.gap += margin(c);
+    c.gap += margin(c, overlap);
   ++book.cost.qp_solves;
   return dynamics_.correction(state, island, use_, targets);
 }

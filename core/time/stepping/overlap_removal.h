@@ -42,7 +42,7 @@ class OverlapRemoval {
   [[nodiscard]] double left() const { return left_; }
 
  private:
-  [[nodiscard]] double margin(const Contact& c) const;
+  [[nodiscard]] double margin(const Contact& c, double overlap) const;
   [[nodiscard]] std::vector<char> overlapping_cubes() const;
 
   const System* system_;

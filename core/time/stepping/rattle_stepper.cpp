@@ -38,6 +38,29 @@ State displacement_of(const State& from, const State& to) {
   return moved;
 }
 
+/// What the contacts of a component take from its energy, J.
+struct Balance {
+  double closing = 0.0;  ///< those that close
+  double lasting =
+      0.0;  ///< those that were closed and stay so: the sway of the method, where nothing is struck
+  double last_struck = -1.0;  ///< share of the step; none: -1
+};
+
+/// Makes the losses of single contacts, which are positive, add up to what is taken on balance.
+void balance(const Balance& sums, std::vector<StepLoss>& losses) {
+  const bool struck = sums.last_struck >= 0.0;
+  const double total = std::max(0.0, sums.closing + (struck ? sums.lasting : 0.0));
+  double booked = 0.0;
+  for (const StepLoss& loss : losses)
+    booked += loss.energy;
+  if (total > booked) {
+    losses.push_back({struck ? sums.last_struck : 1.0, total - booked});
+  } else {
+    for (StepLoss& loss : losses)
+      loss.energy *= total / booked;
+  }
+}
+
 }  // namespace
 
 RattleStepper::RattleStepper(const System& system, const MotionSettings& settings)
@@ -307,16 +330,15 @@ double RattleStepper::struck_at(const Blow& blow) const {
   return std::clamp(blow.start.gap / (speed * scales_.gravity * h_ * h_), 0.0, 1.0);
 }
 
-/// Impulses, and what they cost: a contact that closes loses what its impulses take; in a component where something
-/// is struck so do all others, as one.
+/// Impulses, and what they cost: contacts that close lose what their impulses take, on balance; in a component where
+/// something is struck all contacts do, at the last blow.
 void RattleStepper::book_blows(Step& step, StepRecord& record, double t) const {
   std::vector<int> component(start_.size(), -1);
   for (std::size_t k = 0; k < record.components.size(); ++k) {
     for (const int cube : record.components[k].cubes)
       component[cube] = static_cast<int>(k);
   }
-  std::vector<double> lasting(record.components.size(), 0.0);
-  std::vector<double> last_struck(record.components.size(), -1.0);
+  std::vector<Balance> balances(record.components.size());
   for (const auto& [id, blow] : blows_) {
     if (!blow.acts()) continue;
     const bool struck = closing_speed(blow.start) > impact_steps;
@@ -324,21 +346,16 @@ void RattleStepper::book_blows(Step& step, StepRecord& record, double t) const {
     record.impulses.push_back(impulse_of(blow, step.state, struck ? share : 0.0, share));
     const int k = component[system_->is_cube(blow.end.on) ? blow.end.on : blow.end.from];
     const double loss = -work(blow, step.state);
-    if (lasts(blow)) {
-      lasting[k] += loss;
-    } else if (loss > 0.0) {
-      record.components[k].losses.push_back({share, loss});
-    }
+    (lasts(blow) ? balances[k].lasting : balances[k].closing) += loss;
+    if (!lasts(blow) && loss > 0.0) record.components[k].losses.push_back({share, loss});
     if (!struck) continue;
-    last_struck[k] = std::max(last_struck[k], share);
+    balances[k].last_struck = std::max(balances[k].last_struck, share);
     step.book.events.push_back({t + share * h_, EventKind::impact, system_->body(blow.end.on).name,
                                 system_->body(blow.end.from).name, blow.end.point,
                                 (blow.first + blow.second).dot(blow.end.normal)});
   }
-  for (std::size_t k = 0; k < lasting.size(); ++k) {
-    if (last_struck[k] >= 0.0 && lasting[k] > 0.0)
-      record.components[k].losses.push_back({last_struck[k], lasting[k]});
-  }
+  for (std::size_t k = 0; k < balances.size(); ++k)
+    balance(balances[k], record.components[k].losses);
   std::stable_sort(step.book.events.begin(), step.book.events.end(),
                    [](const Event& a, const Event& b) { return a.t < b.t; });
 }
