@@ -184,7 +184,10 @@ void Track::hand_back() {
   last_events_ = 0;
   frame_events_ = former_events_ = 0;
   stepping_ = false;
-  events_.start(steps_->with_closed_gaps(), clock_, {touching_share, rest_speed}, {}, book_);
+  const State state = steps_->with_closed_gaps();
+  const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
+  if (loss > 0.0) book_.losses.push_back({clock_, loss});
+  events_.start(state, clock_, {touching_share, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
@@ -46,13 +47,24 @@ struct Balance {
   double last_struck = -1.0;  ///< share of the step; none: -1
 };
 
+std::vector<Contact> contacts_of_fixed(const System& system, std::vector<Contact> contacts) {
+  std::erase_if(contacts,
+                [&](const Contact& c) { return system.is_cube(c.on) && system.is_cube(c.from); });
+  return contacts;
+}
+
+double sum_of(const std::vector<StepLoss>& losses) {
+  double sum = 0.0;
+  for (const StepLoss& loss : losses)
+    sum += loss.energy;
+  return sum;
+}
+
 /// Makes the losses of single contacts, which are positive, add up to what is taken on balance.
 void balance(const Balance& sums, std::vector<StepLoss>& losses) {
   const bool struck = sums.last_struck >= 0.0;
   const double total = std::max(0.0, sums.closing + (struck ? sums.lasting : 0.0));
-  double booked = 0.0;
-  for (const StepLoss& loss : losses)
-    booked += loss.energy;
+  const double booked = sum_of(losses);
   if (total > booked) {
     losses.push_back({struck ? sums.last_struck : 1.0, total - booked});
   } else {
@@ -373,18 +385,22 @@ StepImpulse RattleStepper::impulse_of(const Blow& blow,
   return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from), from, to};
 }
 
-/// What contacts have taken is lost; what else has changed of a component's energy is put right.
+/// What contacts have taken is lost; what else has changed of a component's energy is put right as far as its
+/// velocities allow. What they do not, for the clean-up may lift what stops on landing, is less of a loss.
 void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) const {
   for (StepComponent& part : record.components) {
-    double goal = energy_of(*system_, start_, part.cubes);
-    for (const StepLoss& loss : part.losses) {
-      goal -= loss.energy;
-      step.book.losses.push_back({t + loss.share * h_, loss.energy});
-    }
+    const double lost = sum_of(part.losses);
+    const double goal = energy_of(*system_, start_, part.cubes) - lost;
     step.rise += std::max(0.0, energy_of(*system_, step.state, part.cubes) - goal);
     const RigidMotion kept =
         kept_motion(momentum_of(*system_, step.state, part.cubes), part.fixed_normals);
-    scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, step.state);
+    const double missing =
+        scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, step.state);
+    const double kept_back = std::clamp(-missing, 0.0, lost);
+    for (StepLoss& loss : part.losses) {
+      if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
+      step.book.losses.push_back({t + loss.share * h_, loss.energy});
+    }
   }
   std::stable_sort(step.book.losses.begin(), step.book.losses.end(),
                    [](const Loss& a, const Loss& b) { return a.t < b.t; });
@@ -438,7 +454,17 @@ void RattleStepper::close_gaps(State& state) {
     return std::abs(at_poses(*system_, finder_.boxes(), c).gap)
            <= closed_overlap * contact_scale(*system_, c);
   });
-  if (apart && closed) state = std::move(next);
+  if (!apart || !closed) return;
+  // What the cubes were lifted by costs motion.
+  std::vector<int> cubes(state.size());
+  std::iota(cubes.begin(), cubes.end(), 0);
+  std::vector<Vec2> normals;
+  for (const Contact& c : contacts_of_fixed(*system_, closed_.contacts()))
+    normals.push_back(c.normal);
+  const RigidMotion kept = kept_motion(momentum_of(*system_, next, cubes), normals);
+  const double goal = std::min(energy(*system_, state), energy(*system_, next));
+  scale_to_energy(*system_, cubes, kept, goal, 1.0, next);
+  state = std::move(next);
 }
 
 }  // namespace wuerfel
