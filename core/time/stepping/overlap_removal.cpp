@@ -50,22 +50,34 @@ double OverlapRemoval::margin(const Contact& c, double overlap) const {
                   std::min(margin_of_square * overlap * overlap * scale, square_of_fall * fall));
 }
 
+/// Per contact: what moves is what overlaps, and turns by as much.
+std::vector<double> OverlapRemoval::margins_of(const Island& island) const {
+  std::vector<double> overlap(static_cast<std::size_t>(system_->count()), 0.0);
+  for (const Contact& c : island.contacts) {
+    for (const int body : {c.on, c.from})
+      if (system_->is_cube(body))
+        overlap[body] = std::max(overlap[body], -c.gap / contact_scale(*system_, c));
+  }
+  std::vector<double> margins;
+  for (const Contact& c : island.contacts)
+    margins.push_back(margin(c, std::max(overlap[c.on], overlap[c.from])));
+  return margins;
+}
+
 IslandSolution OverlapRemoval::apart(Island island,
                                      const State& state,
                                      std::span<const Twist> targets,
                                      Bookkeeping& book) {
   use_.assign(island.contacts.size(), SideUse::inequality);
-  double overlap = 0.0;
-  for (const Contact& c : island.contacts)
-    overlap = std::max(overlap, -c.gap / contact_scale(*system_, c));
-  for (Contact& c : island.contacts)
-    c.gap -= margin(c, overlap);
+  const std::vector<double> margins = margins_of(island);
+  for (std::size_t k = 0; k < margins.size(); ++k)
+    island.contacts[k].gap -= margins[k];
   IslandSolution solution = dynamics_.correction(state, island, use_, targets);
   ++book.cost.qp_solves;
   if (solution.status == QpStatus::optimal) return solution;
   // No room for the margin, perhaps: cubes that fit exactly between others.
-  for (Contact& c : island.contacts)
-    c.gap += margin(c, overlap);
+  for (std::size_t k = 0; k < margins.size(); ++k)
+    island.contacts[k].gap += margins[k];
   ++book.cost.qp_solves;
   return dynamics_.correction(state, island, use_, targets);
 }

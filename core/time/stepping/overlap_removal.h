@@ -43,6 +43,7 @@ class OverlapRemoval {
 
  private:
   [[nodiscard]] double margin(const Contact& c, double overlap) const;
+  [[nodiscard]] std::vector<double> margins_of(const Island& island) const;
   [[nodiscard]] std::vector<char> overlapping_cubes() const;
 
   const System* system_;
