@@ -24,17 +24,19 @@ constexpr double same_time = 1e-7;
 }  // namespace
 
 ControlledStepping::ControlledStepping(const System& system, const MotionSettings& settings)
-    : system_(&system), stepper_(system, settings) {
-  const bool crowd = settings.integrator != Integrator::rattle;
-  const double error = std::sqrt(settings.tolerance);
-  allowed_error_ = crowd ? crowd_error * error : error;
-}
+    : system_(&system),
+      stepper_(system,
+               settings,
+               settings.integrator == Integrator::rattle ? std::sqrt(settings.tolerance) : 0.0),
+      allowed_error_(std::sqrt(settings.tolerance)
+                     * (settings.integrator == Integrator::rattle ? 1.0 : crowd_error)) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);
   state_ = state;
   step_ = first;
   longest_ = longest;
+  stepper_.begin(state);
 }
 
 double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
@@ -49,6 +51,7 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
     step_ = std::clamp(easy ? 2.0 * h : h, shortest_share * longest_, longest_);
   }
   add(step.book, book);
+  stepper_.accept(step);
   state_ = std::move(step.state);
   record_ = std::move(step.record);
   return h == end - t ? end : t + h;

@@ -75,11 +75,12 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
 
 }  // namespace
 
-RattleStepper::RattleStepper(const System& system, const MotionSettings& settings)
+RattleStepper::RattleStepper(const System& system, const MotionSettings& settings, double sway)
     : system_(&system),
       dynamics_(system, settings, tolerances),
       removal_(system, settings),
-      closed_(system) {}
+      closed_(system),
+      sway_(sway) {}
 
 double RattleStepper::longest_step(const State& state) const {
   double fastest = 0.0;
@@ -388,15 +389,19 @@ StepImpulse RattleStepper::impulse_of(const Blow& blow,
 /// What contacts have taken is lost; what else has changed of a component's energy is put right as far as its
 /// velocities allow. What they do not, for the clean-up may lift what stops on landing, is less of a loss.
 void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) const {
+  const bool sways = sway_ > 0.0 && surplus_of(record, step) <= 0.0;
   for (StepComponent& part : record.components) {
     const double lost = sum_of(part.losses);
     const double goal = energy_of(*system_, start_, part.cubes) - lost;
     step.rise += std::max(0.0, energy_of(*system_, step.state, part.cubes) - goal);
-    const RigidMotion kept =
-        kept_motion(momentum_of(*system_, step.state, part.cubes), part.fixed_normals);
-    const double missing =
-        scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, step.state);
-    const double kept_back = std::clamp(-missing, 0.0, lost);
+    double kept_back = 0.0;
+    if (!sways) {
+      const RigidMotion kept =
+          kept_motion(momentum_of(*system_, step.state, part.cubes), part.fixed_normals);
+      const double missing =
+          scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, step.state);
+      kept_back = std::clamp(-missing, 0.0, lost);
+    }
     for (StepLoss& loss : part.losses) {
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
       step.book.losses.push_back({t + loss.share * h_, loss.energy});
@@ -404,6 +409,20 @@ void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) cons
   }
   std::stable_sort(step.book.losses.begin(), step.book.losses.end(),
                    [](const Loss& a, const Loss& b) { return a.t < b.t; });
+}
+
+/// By how much energy is more than it may sway, J.
+double RattleStepper::surplus_of(const StepRecord& record, const Step& step) const {
+  double allowed =
+      true_energy_ + sway_ * (kinetic_energy(*system_, start_) + scales_.weight * scales_.length);
+  for (const StepComponent& part : record.components)
+    allowed -= sum_of(part.losses);
+  return energy(*system_, step.state) - allowed;
+}
+
+void RattleStepper::accept(const Step& step) {
+  for (const Loss& loss : step.book.losses)
+    true_energy_ -= loss.energy;
 }
 
 double RattleStepper::error_of(const State& state) const {
