@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "app/command_line.h"
-#include "app/stop_signal.h"
+#include "app/cli/command_line.h"
+#include "app/cli/stop_signal.h"
 #include "core/scene/scene_parser.h"
 #include "render/error.h"
 
