@@ -65,6 +65,22 @@ PixelSize parse_pixel_size(std::string_view text) {
   return size;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+bool has_suffix(std::string_view name, std::string_view suffix) {
+  return lower_case(name).ends_with(suffix);
+}
+
+void require_no_stdout(std::string_view option, std::string_view file) {
+  if (file == "-")
+    throw UsageError(fmt::format("{}: standard output carries the answer: name a file", option));
+}
+
 std::vector<std::string> split_list(std::string_view text) {
   std::vector<std::string> parts;
   while (true) {

@@ -1,7 +1,6 @@
 /// Values on the command line: strict readers that refuse what they do not understand.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +26,15 @@ std::vector<double> parse_numbers(std::string_view option, std::string_view text
 
 /// "1280x720": from 16 to 16384 pixels each way.
 PixelSize parse_pixel_size(std::string_view text);
+
+/// In small letters, as far as it is ASCII.
+std::string lower_case(std::string_view text);
+
+/// Whether a file name ends so, in letters of any size; `suffix` in small ones, as in ".png".
+bool has_suffix(std::string_view name, std::string_view suffix);
+
+/// Throws UsageError where `file` is standard output, which carries something else.
+void require_no_stdout(std::string_view option, std::string_view file);
 
 /// Texts with commas between them.
 std::vector<std::string> split_list(std::string_view text);

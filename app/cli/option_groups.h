@@ -2,65 +2,53 @@
 /// is not understood is a UsageError or a RenderError that names the option.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include "app/cli/choice.h"
-#include "app/commands/commands.h"
+#include "app/cli/options.h"
+#include "app/cli/scene_source.h"
+#include "app/film/picture_options.h"
+#include "app/film/timetable.h"
+#include "core/settings.h"
+#include "render/compare.h"
+#include "render/film_strip.h"
 
 namespace wuerfel {
 
-/// An option whose text goes through `take`, once for every time it is given.
-template <typename Take>
-CLI::Option* add_value(CLI::App& app,
-                       const std::string& names,
-                       const std::string& type,
-                       const std::string& meaning,
-                       Take take) {
-  return app
-      .add_option_function<std::vector<std::string>>(
-          names,
-          [take](const std::vector<std::string>& values) {
-            for (const std::string& value : values)
-              take(value);
-          },
-          meaning)
-      ->type_name(type)
-      ->allow_extra_args(false);
-}
-
-/// An option that may be given once.
-template <typename Take>
-void add_single(CLI::App& app,
-                const std::string& names,
-                const std::string& type,
-                const std::string& meaning,
-                Take take) {
-  add_value(app, names, type, meaning, take)->expected(1);
-}
-
 /// An option that takes the name of an enumerator.
 template <typename Enum>
-void add_choice(CLI::App& app, const std::string& name, const std::string& meaning, Enum& value) {
+void add_choice(Options& options,
+                const std::string& name,
+                const std::string& meaning,
+                Enum& value) {
   const std::string help =
       fmt::format("{}: {} [{}]", meaning, join_choices(choices<Enum>()), to_string(value));
-  add_single(app, name, "NAME", help,
-             [name, &value](const std::string& text) { value = parse_choice<Enum>(name, text); });
+  options.single(name, "NAME", help, [name, &value](const std::string& text) {
+    value = parse_choice<Enum>(name, text);
+  });
 }
 
 /// SCENE and --set.
-void add_scene(CLI::App& app, SceneChoice& scene);
-void add_motion_options(CLI::App& app, MotionSettings& motion);
-void add_picture_options(CLI::App& app, PictureOptions& picture);
+void add_scene(Options& options, SceneChoice& scene);
+/// One or more SCENEs and --set, which holds for all of them.
+void add_scenes(Options& options,
+                std::vector<std::string>& sources,
+                std::vector<std::string>& overrides);
+/// --formulation and --solver.
+void add_solver_options(Options& options, MotionSettings& motion);
+/// The same, --integrator, --tolerance and --step.
+void add_motion_options(Options& options, MotionSettings& motion);
+void add_picture_options(Options& options, PictureOptions& picture);
 /// --encoder.
-void add_encoder_option(CLI::App& app, PngEncoder& encoder);
+void add_encoder_option(Options& options, PngEncoder& encoder);
 /// --fps and --speed.
-void add_rate_options(CLI::App& app, FrameRate& rate);
+void add_rate_options(Options& options, FrameRate& rate);
 /// --strip.
-void add_strip_option(CLI::App& app, std::optional<StripGrid>& strip);
+void add_strip_option(Options& options, std::optional<StripGrid>& strip);
 /// --max-difference and --max-share.
-void add_compare_limits(CLI::App& app, CompareLimits& limits);
+void add_compare_limits(Options& options, CompareLimits& limits);
 
 }  // namespace wuerfel

@@ -1,7 +1,6 @@
 #include "app/cli/progress.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 #include <unistd.h>
@@ -9,11 +8,14 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/streams.h"
+
 namespace wuerfel {
 
 namespace {
 
 constexpr int bar_width = 30;
+constexpr double patience = 1.0;         // s: a log tells nothing of what is over at once
 constexpr double redraw_interval = 0.1;  // s: faster than the eye needs would only cost time
 
 std::string_view environment(const char* name) {
@@ -43,7 +45,7 @@ Progress::~Progress() { end(); }
 
 void Progress::end() {
   const bool is_bar = style_ == Style::bar || style_ == Style::coloured_bar;
-  if (is_bar && last_drawn_ >= 0.0) std::fputs("\n", stderr);
+  if (is_bar && last_drawn_ >= 0.0) say("\n");
   style_ = Style::silent;
 }
 
@@ -55,9 +57,9 @@ void Progress::reached(double done) {
     return;
   }
   const int tenth = static_cast<int>(10.0 * done / total_ + 1e-9);
-  if (tenth <= last_tenth_) return;
+  if (tenth <= last_tenth_ || watch_.wall() < patience) return;
   last_tenth_ = tenth;
-  fmt::print(stderr, "{}\n", text(done));
+  say(text(done) + "\n");
 }
 
 std::string Progress::text(double done) const {
@@ -80,9 +82,8 @@ void Progress::draw_bar(double done) {
   const std::string full(static_cast<std::size_t>(filled), '#');
   const std::string rest(static_cast<std::size_t>(bar_width - filled), '.');
   const bool coloured = style_ == Style::coloured_bar;
-  fmt::print(stderr, "\r[{}{}{}{}] {}\x1b[K", coloured ? "\x1b[32m" : "", full,
-             coloured ? "\x1b[0m" : "", rest, text(done));
-  std::fflush(stderr);
+  say(fmt::format("\r[{}{}{}{}] {}\x1b[K", coloured ? "\x1b[32m" : "", full,
+                  coloured ? "\x1b[0m" : "", rest, text(done)));
 }
 
 }  // namespace wuerfel

@@ -7,7 +7,8 @@
 
 namespace wuerfel {
 
-/// A bar on a terminal, one line per 10 % elsewhere, nothing where quiet is asked for.
+/// A bar on a terminal, one line per 10 % elsewhere (where
+/// it takes longer than a second), nothing where quiet is asked for.
 class Progress {
  public:
   enum class Style { silent, lines, bar, coloured_bar };

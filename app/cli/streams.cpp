@@ -30,4 +30,9 @@ void Notes::add(const std::string& text) {
   if (!quiet_) say(fmt::format("wuerfel: note: {}\n", text));
 }
 
+void Notes::warn(const std::string& text) {
+  texts_.push_back(text);
+  say(fmt::format("wuerfel: {}\n", text));
+}
+
 }  // namespace wuerfel

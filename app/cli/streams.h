@@ -20,6 +20,8 @@ class Notes {
  public:
   explicit Notes(bool quiet = false) : quiet_(quiet) {}
   void add(const std::string& text);
+  /// Of what went wrong: said even where it is quiet.
+  void warn(const std::string& text);
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
 
  private:

@@ -2,18 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/option_groups.h"
+#include "app/commands/batch.h"
 #include "app/commands/commands.h"
-#include "app/output/text_output.h"
 
 namespace wuerfel {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> overrides;
+  MotionSettings motion;
+  bool json = false;
+};
 
 Json check_json(const Scene& scene, const Check& answer) {
   Json accelerations = Json::object();
@@ -39,23 +48,37 @@ Json check_json(const Scene& scene, const Check& answer) {
           {"kkt_residual", answer.kkt_residual}};
 }
 
-// For people: the verdict, who accelerates most, and what presses where.
-std::string check_text(const Scene& scene, const Check& answer) {
-  std::string text = fmt::format("{}\n", to_string(answer.verdict));
-  // Of a turning cube the corners are fastest, at half a diagonal from the centre.
+// Who accelerates most, measured as the verdict is: |a| + side |alpha|.
+std::string fastest_text(const Scene& scene, const Check& answer) {
   const auto severity = [&](std::size_t i) {
     const Twist& a = answer.accelerations[i];
-    return a.linear.norm() + 0.5 * scene.cubes[i].size.norm() * std::abs(a.angular);
+    return a.linear.norm() + scene.cubes[i].size.minCoeff() * std::abs(a.angular);
   };
   std::size_t worst = 0;
   for (std::size_t i = 1; i < scene.cubes.size(); ++i) {
     if (severity(i) > severity(worst)) worst = i;
   }
-  if (!scene.cubes.empty()) {
-    const Twist& a = answer.accelerations[worst];
-    text += fmt::format("largest acceleration: {} with ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
-                        scene.cubes[worst].name, a.linear.x(), a.linear.y(), a.angular);
+  const Twist& a = answer.accelerations[worst];
+  return fmt::format("largest acceleration: {} with ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
+                     scene.cubes[worst].name, a.linear.x(), a.linear.y(), a.angular);
+}
+
+std::string moving_at_start(const Scene& scene) {
+  std::string names;
+  for (const SceneCube& cube : scene.cubes) {
+    if (!cube.velocity.isZero(0.0) || cube.spin != 0.0)
+      names += (names.empty() ? "" : ", ") + cube.name;
   }
+  return names;
+}
+
+// For people: the verdict, who accelerates most, and what presses where.
+std::string check_text(const Scene& scene, const Check& answer) {
+  std::string text = fmt::format("{}\n", to_string(answer.verdict));
+  if (answer.verdict == Verdict::falls || answer.verdict == Verdict::undecided)
+    text += fastest_text(scene, answer);
+  if (answer.verdict == Verdict::moves)
+    text += fmt::format("moving at the start: {}\n", moving_at_start(scene));
   if (!answer.contacts.empty()) {
     text += fmt::format("\n{:<14} {:<14} {:>10} {:>10} {:>12} {:>12}\n", "on", "from", "x / m",
                         "y / m", "force / N", "along / N");
@@ -66,6 +89,15 @@ std::string check_text(const Scene& scene, const Check& answer) {
                         contact.tangential, contact.unique ? "" : "  not the only one possible");
   }
   return text;
+}
+
+std::string answer_text(const std::string& name,
+                        const Scene& scene,
+                        const Check& answer,
+                        AnswerForm form) {
+  if (form.json) return json_text(check_json(scene, answer), form);
+  if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
+  return check_text(scene, answer);
 }
 
 ExitCode exit_code(Verdict verdict) {
@@ -83,12 +115,19 @@ ExitCode exit_code(Verdict verdict) {
 
 }  // namespace
 
-ExitCode check(const CheckOptions& options) {
-  const Scene scene = read_scene(options.scene);
-  const Check answer = check(scene, options.motion);
-  write_text("-",
-             options.json ? check_json(scene, answer).dump(2) + "\n" : check_text(scene, answer));
-  return exit_code(answer.verdict);
+Action declare_check(Options& options) {
+  auto asked = std::make_shared<CheckOptions>();
+  add_scenes(options, asked->scenes, asked->overrides);
+  options.flag("--json", "print the answer as JSON", asked->json);
+  add_solver_options(options, asked->motion);
+  return [asked](const Stopwatch&) {
+    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+      Notes notes;
+      const Scene scene = parse(text, asked->overrides, notes);
+      const Check answer = check(scene, asked->motion);
+      return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
+    });
+  };
 }
 
 }  // namespace wuerfel

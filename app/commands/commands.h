@@ -1,81 +1,42 @@
-/// The subcommands and what each can be told.
+/// The commands of the program: a table of their names, what they are for, and how they are read.
 #pragma once
 
-#include <optional>
+#include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/exit_code.h"
-#include "app/cli/scene_source.h"
+#include "app/cli/options.h"
 #include "app/cli/stopwatch.h"
-#include "app/film/picture_options.h"
-#include "app/film/still.h"
-#include "app/film/timetable.h"
-#include "core/settings.h"
-#include "render/compare.h"
 
 namespace wuerfel {
 
-struct RunOptions {
-  SceneChoice scene;
-  MotionSettings motion;
-  PictureOptions picture;
-  FrameRate rate;
-  std::optional<double> until;       ///< s; none: the scene's duration
-  std::vector<double> samples;       ///< s
-  std::vector<std::string> outputs;  ///< folders and films
-  std::string states;                ///< file names, empty: not wanted, `-`: standard output
-  std::string forces;
-  std::string events;
-  std::string summary;
-  bool json = false;
-  bool quiet = false;
-  Stopwatch since_start;  ///< runs since the program began
+/// What a command does once its options are read; the watch runs since the start of the program.
+using Action = std::function<ExitCode(const Stopwatch& since_start)>;
+
+struct Command {
+  std::string_view name;
+  std::string_view meaning;
+  /// Declares the options of the command, and only those: the program starts faster without what
+  /// the others have.
+  Action (*declare)(Options& options);
 };
 
-struct CheckOptions {
-  SceneChoice scene;
-  MotionSettings motion;
-  bool json = false;
-};
+std::span<const Command> all_commands();
 
-struct FigureOptions {
-  SceneChoice scene;
-  StillOptions still;           ///< but for the times
-  std::vector<double> times;    ///< s; none: the start, or even times of a strip
-  std::optional<double> until;  ///< s, end of even times; none: the scene's duration
-  std::string output;
-};
+/// The command that the first of the arguments names, told the others. Throws UsageError, and what
+/// the command throws.
+ExitCode run_command(const std::vector<std::string>& arguments, const Stopwatch& since_start);
 
-struct CompareOptions {
-  std::string expected;
-  std::string actual;
-  std::string output;  ///< where expected, actual and difference go side by side; empty: nowhere
-  CompareLimits limits;
-  bool json = false;
-  bool update = false;  ///< accept what is different
-};
-
-struct ReproduceOptions {
-  std::string picture;
-  std::string output;  ///< the picture made again; empty: nowhere
-  CompareLimits limits;
-  bool json = false;
-};
-
-/// Simulates and writes what was asked for.
-ExitCode run(const RunOptions& options);
-/// Answers whether the scene stands.
-ExitCode check(const CheckOptions& options);
-/// Draws one instant or a strip of several.
-ExitCode figure(const FigureOptions& options);
-/// Tells whether pictures, or folders of them, are the same.
-ExitCode compare(const CompareOptions& options);
-/// Makes a picture again from what it carries and compares.
-ExitCode reproduce(const ReproduceOptions& options);
-/// Lists the scenes that come along, or prints the one named.
-ExitCode scenes(const std::string& name);
-/// Prints the JSON Schema of scenes.
-ExitCode schema();
+// Each in the file of its name.
+Action declare_run(Options& options);
+Action declare_check(Options& options);
+Action declare_figure(Options& options);
+Action declare_compare(Options& options);
+Action declare_reproduce(Options& options);
+Action declare_scenes(Options& options);
+Action declare_schema(Options& options);
 
 }  // namespace wuerfel

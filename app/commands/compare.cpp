@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <tuple>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/argument.h"
+#include "app/cli/option_groups.h"
 #include "app/commands/commands.h"
 #include "app/commands/picture_pairs.h"
 #include "app/output/text_output.h"
@@ -22,6 +25,15 @@ namespace wuerfel {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+struct CompareOptions {
+  std::string expected;
+  std::string actual;
+  std::string output;  ///< where expected, actual and difference go side by side; empty: nowhere
+  CompareLimits limits;
+  bool json = false;
+  bool update = false;  ///< accept what is different
+};
 
 /// What came out of one pair.
 struct Finding {
@@ -40,9 +52,11 @@ struct Finding {
                : std::string(to_string(comparison->verdict));
   }
   [[nodiscard]] std::string text() const {
-    std::string text = !pair->expected_there ? "new: there is nothing to compare it with"
-                       : !pair->actual_there ? "missing: only the expected picture is there"
-                                             : describe(*comparison);
+    std::string text =
+        !pair->expected_there ? "new: there is nothing to compare it with"
+        : !pair->actual_there
+            ? "missing: only the expected picture is there; if that is right, delete it"
+            : describe(*comparison);
     if (updated) text += "; accepted";
     return text;
   }
@@ -93,12 +107,13 @@ Finding judge(const PicturePair& pair, const CompareOptions& options) {
   return finding;
 }
 
-/// True where `a` is the smaller difference. A picture without a partner is worse than any other.
+/// True where `a` is the smaller difference. What is accepted is none, and a picture without a
+/// partner is worse than any other.
 bool less_bad(const Finding& a, const Finding& b) {
   const auto key = [](const Finding& finding) {
     const bool alone = !finding.comparison;
     const Comparison comparison = finding.comparison.value_or(Comparison{});
-    return std::tuple(alone, !comparison.same_size, comparison.largest_difference,
+    return std::tuple(!finding.same(), alone, !comparison.same_size, comparison.largest_difference,
                       comparison.share);
   };
   return key(a) < key(b);
@@ -150,8 +165,6 @@ std::string report_text(const std::vector<Finding>& findings, const Finding& wor
   return text + "\n";
 }
 
-}  // namespace
-
 ExitCode compare(const CompareOptions& options) {
   const std::vector<PicturePair> pairs =
       picture_pairs(options.expected, options.actual, options.update);
@@ -162,6 +175,25 @@ ExitCode compare(const CompareOptions& options) {
   write_text("-", options.json ? report_json(findings, worst, options.limits).dump(2) + "\n"
                                : report_text(findings, worst));
   return std::ranges::all_of(findings, &Finding::same) ? ExitCode::fine : ExitCode::negative;
+}
+
+}  // namespace
+
+Action declare_compare(Options& options) {
+  auto asked = std::make_shared<CompareOptions>();
+  options.argument("EXPECTED", ".png file or folder", asked->expected);
+  options.argument("ACTUAL", "the same of what is there now", asked->actual);
+  options.text("-o,--output", "DIFF.png",
+               "expected, actual and difference side by side, where pixels differ; a folder where "
+               "folders are compared",
+               asked->output);
+  add_compare_limits(options, asked->limits);
+  options.flag("--update", "accept: copy ACTUAL over EXPECTED where they differ", asked->update);
+  options.flag("--json", "print the answer as JSON", asked->json);
+  return [asked](const Stopwatch&) {
+    require_no_stdout("-o", asked->output);
+    return compare(*asked);
+  };
 }
 
 }  // namespace wuerfel

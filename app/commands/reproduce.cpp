@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <memory>
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/argument.h"
 #include "app/cli/option_groups.h"
 #include "app/commands/commands.h"
 #include "app/film/origin.h"
@@ -16,6 +17,13 @@
 namespace wuerfel {
 
 namespace {
+
+struct ReproduceOptions {
+  std::string picture;
+  std::string output;  ///< the picture made again; empty: nowhere
+  CompareLimits limits;
+  bool json = false;
+};
 
 PngFile read_picture(const std::string& path) try {
   return read_png(path);
@@ -32,21 +40,17 @@ const std::string& text_of(const PngFile& picture, const char* key, const std::s
 }
 
 // The options that a picture says it was made with.
-StillOptions parse_options(const std::string& text, const std::string& path) {
-  StillOptions options;
-  CLI::App parser;
-  add_picture_options(parser, options.picture);
-  add_motion_options(parser, options.motion);
-  add_rate_options(parser, options.trail_rate);
-  add_strip_option(parser, options.strip);
-  try {
-    parser.parse(text, false);
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
-  } catch (const RenderError& error) {
-    throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
-  }
-  return options;
+StillOptions parse_options(const std::string& text, const std::string& path) try {
+  StillOptions made_with;
+  Options options("", "");
+  add_picture_options(options, made_with.picture);
+  add_motion_options(options, made_with.motion);
+  add_rate_options(options, made_with.trail_rate);
+  add_strip_option(options, made_with.strip);
+  options.parse_line(text);
+  return made_with;
+} catch (const UsageError& error) {
+  throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
 }
 
 std::string report(const Comparison& comparison,
@@ -63,8 +67,6 @@ std::string report(const Comparison& comparison,
   return json.dump(2) + "\n";
 }
 
-}  // namespace
-
 ExitCode reproduce(const ReproduceOptions& options) {
   const PngFile picture = read_picture(options.picture);
   const std::string& made_by = text_of(picture, software_key, options.picture);
@@ -73,8 +75,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
       parse_options(text_of(picture, options_key, options.picture), options.picture);
   still_options.times = parse_numbers(time_key, text_of(picture, time_key, options.picture));
   if (made_by != "wuerfel " WUERFEL_VERSION) {
-    fmt::print(stderr, "wuerfel: the picture was made by {}, this is wuerfel {}\n", made_by,
-               WUERFEL_VERSION);
+    Notes().add(
+        fmt::format("the picture was made by {}, this is wuerfel {}", made_by, WUERFEL_VERSION));
   }
 
   const StopSignal stop;
@@ -85,6 +87,20 @@ ExitCode reproduce(const ReproduceOptions& options) {
   const Comparison comparison = compare_images(picture.image, again, options.limits);
   write_text("-", report(comparison, made_by, options));
   return comparison.verdict == CompareVerdict::different ? ExitCode::negative : ExitCode::fine;
+}
+
+}  // namespace
+
+Action declare_reproduce(Options& options) {
+  auto asked = std::make_shared<ReproduceOptions>();
+  options.argument("FRAME", ".png file that `run` or `figure` made", asked->picture);
+  options.text("-o,--output", "FILE.png", "the picture made again", asked->output);
+  add_compare_limits(options, asked->limits);
+  options.flag("--json", "print the answer as JSON", asked->json);
+  return [asked](const Stopwatch&) {
+    require_no_stdout("-o", asked->output);
+    return reproduce(*asked);
+  };
 }
 
 }  // namespace wuerfel

@@ -1,10 +1,15 @@
+#include <memory>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "app/cli/argument.h"
+#include "app/cli/option_groups.h"
+#include "app/cli/progress.h"
+#include "app/commands/batch.h"
 #include "app/commands/commands.h"
+#include "app/commands/idle_options.h"
 #include "app/commands/run_plan.h"
-#include "app/film/advance.h"
 #include "app/film/film.h"
 #include "app/output/accuracy.h"
 #include "app/output/summary.h"
@@ -12,26 +17,55 @@
 
 namespace wuerfel {
 
-ExitCode run(const RunOptions& options) {
-  const Scene scene = read_scene(options.scene);
-  const RunPlan plan = make_plan(options, scene);
-  Simulation simulation(scene, options.motion);
+namespace {
+
+void note_idle_options(const RunOptions& asked, const Options& options, Notes& notes) {
+  note_idle_motion_options(options, asked.motion, notes);
+  if (asked.outputs.empty()) {
+    note_idle(options,
+              {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
+               "--velocity-scale", "--rod-scale", "--encoder"},
+              "without -o", notes);
+    if (!asked.tables())
+      note_idle(options, {"--fps", "--speed"}, "without -o, --states or --forces", notes);
+    return;
+  }
+  note_idle_picture_options(options, asked.picture.layers, notes);
+  note_film_differences(asked.outputs, asked.picture, options.given("--encoder"), notes);
+}
+
+Answer run(const RunOptions& asked,
+           const Options& options,
+           const SceneText& text,
+           AnswerForm form,
+           const Stopwatch& since_start) {
+  if (form.one_line && !asked.files().empty())
+    throw UsageError("files are written for one scene at a time; for several there is --json");
+  Notes notes(asked.quiet);
+  note_idle_options(asked, options, notes);
+  const Scene scene = parse(text, asked.overrides, notes);
+  const RunPlan plan = make_plan(asked, scene);
+  const StopSignal stop;
+  Simulation simulation(scene, asked.motion);
+  simulation.set_pulse([&stop] { stop.check(); });
 
   // What cannot be written is noticed before the long work.
-  const StopSignal stop;
-  PictureOutputs pictures(options.outputs,
-                          animation_settings(options.picture, options.rate.fps, scene));
-  Tables tables(options.states, options.forces, options.events);
-  Summary summary(options.summary, options.json);
+  PictureOutputs pictures(asked.outputs, animation_settings(asked.picture, asked.rate.fps, scene));
+  Tables tables(asked.states, asked.forces, asked.events);
+  SummaryFile summary_file(asked.summary);
 
   // Simulate from one instant that somebody wants to see to the next.
-  RunCost cost{.start_s = options.since_start.cpu_before() + options.since_start.wall()};
+  RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
   const Stopwatch watch;
-  Film film(options, scene, pictures);
+  const MotionSource source{scene, asked.motion, plan.instants, plan.request, stop};
+  Film film(asked.picture, asked.rate, source, pictures);
   std::vector<Sample> samples;
-  Progress progress(Progress::style_for_stderr(options.quiet), "simulating", plan.end, "s");
+  const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
+  Progress progress(style, "simulating", plan.end, "s");
   for (const Instant& instant : plan.instants) {
-    advance(simulation, instant.t, options.motion.step, stop, progress);
+    stop.check();
+    simulation.advance_to(instant.t);
+    progress.reached(instant.t);
     if (instant.sample) samples.push_back({instant.t, simulation.states()});
     if (!instant.frame) continue;
     Snapshot snapshot = simulation.snapshot(plan.request);
@@ -41,14 +75,58 @@ ExitCode run(const RunOptions& options) {
   }
   progress.end();
 
-  film.finish(stop);
+  film.finish(style);
   tables.finish(simulation.events());
   cost.frames = film.frames();
   cost.frames_reused = film.reused();
   cost.wall_s = watch.wall();
   cost.cpu_s = watch.cpu();
-  summary.write(run_summary(scene, options.motion, simulation, samples, cost));
-  return verdict_on_accuracy(simulation.audit());
+  const ExitCode code = verdict_on_accuracy(simulation.audit(), notes);
+  const auto summary = run_summary(scene, asked.motion, simulation, samples, notes, cost);
+  summary_file.write(json_text(summary, {}));
+  return {code, form.json ? json_text(summary, form) : ""};
+}
+
+void declare_outputs(Options& options, RunOptions& asked) {
+  options.value("-o,--output", "DIR/|FILE",
+                "folder of frames, or a film: .mp4 .webm .gif .apng (repeatable)",
+                [&asked](const std::string& text) {
+                  require_picture_output(text);
+                  asked.outputs.push_back(text);
+                });
+  add_rate_options(options, asked.rate);
+  options.single("--until", "T", "end in s [the scene's duration]",
+                 [&asked](const std::string& text) { asked.until = parse_time("--until", text); });
+  options.value("--sample", "T1,T2,..",
+                "report the state at these times, each once and in their order",
+                [&asked](const std::string& text) {
+                  for (const std::string& time : split_list(text))
+                    asked.samples.push_back(parse_time("--sample", time));
+                });
+  options.text("--states", "FILE", "positions and velocities at the frame times as CSV",
+               asked.states);
+  options.text("--forces", "FILE", "contact forces at the frame times as CSV", asked.forces);
+  options.text("--events", "FILE", "events as JSON lines", asked.events);
+  options.text("--summary", "FILE", "the summary as JSON", asked.summary);
+  options.flag("--json", "print the summary as JSON", asked.json);
+  options.flag("--quiet", "no progress and no notes", asked.quiet);
+}
+
+}  // namespace
+
+Action declare_run(Options& options) {
+  auto asked = std::make_shared<RunOptions>();
+  add_scenes(options, asked->scenes, asked->overrides);
+  declare_outputs(options, *asked);
+  add_picture_options(options, asked->picture);
+  add_encoder_option(options, asked->picture.encoder);
+  add_motion_options(options, asked->motion);
+  return [asked, &options](const Stopwatch& since_start) {
+    require_distinct_outputs(*asked);
+    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+      return run(*asked, options, text, form, since_start);
+    });
+  };
 }
 
 }  // namespace wuerfel

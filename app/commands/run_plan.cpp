@@ -1,18 +1,19 @@
 #include "app/commands/run_plan.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/core.h>
 
-#include "app/film/picture_options.h"
-#include "render/nearest_name.h"
+#include "app/cli/exit_code.h"
+#include "core/scene/suggestion.h"
 
 namespace wuerfel {
 
 namespace {
-
-constexpr double most_frames = 1e7;  // more would fill memory and disk long before they are of use
 
 void require_samples_until(double end, const std::vector<double>& samples) {
   for (const double t : samples) {
@@ -21,15 +22,28 @@ void require_samples_until(double end, const std::vector<double>& samples) {
   }
 }
 
-std::vector<double> frames_until(double end, const RunOptions& options) {
-  const bool wanted =
-      !options.outputs.empty() || !options.states.empty() || !options.forces.empty();
-  if (!wanted) return {};
-  const double count = end * options.rate.fps / options.rate.speed;
-  if (count > most_frames) {
-    throw UsageError(fmt::format("{:.3g} frames are more than {:.0f}", count, most_frames));
-  }
-  return frame_times(end, options.rate);
+std::vector<double> frames_until(double end, const RunOptions& asked) {
+  if (asked.outputs.empty() && !asked.tables()) return {};
+  return frame_times(end, asked.rate);
+}
+
+// Where nobody looks, somebody waits: he sees every hundredth of the way.
+std::vector<double> marks_until(double end) {
+  constexpr int count = 100;
+  std::vector<double> marks;
+  for (int k = 1; k < count; ++k)
+    marks.push_back(end * k / count);
+  return marks;
+}
+
+// Names of one file are one name; devices take anything from anybody.
+std::optional<std::filesystem::path> place_of(const std::string& name) {
+  if (name == "-") return name;
+  std::error_code error;
+  if (std::filesystem::is_other(std::filesystem::status(name, error))) return std::nullopt;
+  const auto place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return place.has_filename() ? place : place.parent_path();
 }
 
 // A camera has to find the body that it follows.
@@ -39,20 +53,41 @@ void require_body(const Camera& camera, const Scene& scene) {
   for (const SceneCube& cube : scene.cubes)
     names.push_back(cube.name);
   if (std::ranges::find(names, camera.body) != names.end()) return;
-  throw UsageError(fmt::format("--view: there is no cube '{}'{}", camera.body,
-                               nearest_name_hint(camera.body, names)));
+  throw UsageError(
+      fmt::format("--view: there is no cube '{}'{}", camera.body, suggestion(camera.body, names)));
 }
 
 }  // namespace
 
-RunPlan make_plan(const RunOptions& options, const Scene& scene) {
+std::vector<std::string> RunOptions::files() const {
+  std::vector<std::string> names = outputs;
+  for (const std::string* file : {&states, &forces, &events, &summary})
+    if (!file->empty()) names.push_back(*file);
+  return names;
+}
+
+void require_distinct_outputs(const RunOptions& asked) {
+  std::map<std::filesystem::path, std::string> taken;
+  if (asked.json) taken["-"] = "--json";
+  for (const std::string& name : asked.files()) {
+    const auto place = place_of(name);
+    if (place && !taken.emplace(*place, name).second) {
+      throw UsageError(name == "-" ? "only one of --json and the files can be standard output"
+                                   : fmt::format("two outputs have the name {}", name));
+    }
+  }
+}
+
+RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   RunPlan plan;
-  plan.end = options.until.value_or(scene.duration);
-  require_samples_until(plan.end, options.samples);
-  require_body(options.picture.camera, scene);
-  plan.instants = timetable(plan.end, frames_until(plan.end, options), options.samples);
-  if (!options.outputs.empty()) plan.request = snapshot_request(options.picture.layers);
-  if (!options.forces.empty()) plan.request.forces = true;
+  plan.end = asked.until.value_or(scene.duration);
+  require_samples_until(plan.end, asked.samples);
+  require_body(asked.picture.camera, scene);
+  const std::vector<double> frames = frames_until(plan.end, asked);
+  plan.instants = timetable(plan.end, frames, asked.samples,
+                            frames.empty() ? marks_until(plan.end) : std::vector<double>{});
+  if (!asked.outputs.empty()) plan.request = snapshot_request(asked.picture.layers);
+  if (!asked.forces.empty()) plan.request.forces = true;
   return plan;
 }
 

@@ -1,10 +1,12 @@
+#include <memory>
+
 #include <fmt/core.h>
 
 #include "app/cli/shipped_scenes.h"
 #include "app/commands/commands.h"
 #include "app/output/text_output.h"
 #include "core/scene/scene_parser.h"
-#include "render/nearest_name.h"
+#include "core/scene/suggestion.h"
 
 namespace wuerfel {
 
@@ -19,8 +21,6 @@ std::string list_of_scenes() {
   return list;
 }
 
-}  // namespace
-
 ExitCode scenes(const std::string& name) {
   if (name.empty()) {
     write_text("-", list_of_scenes());
@@ -33,7 +33,15 @@ ExitCode scenes(const std::string& name) {
   std::vector<std::string_view> names;
   for (const ShippedScene& scene : shipped_scenes())
     names.push_back(scene.name);
-  throw UsageError(fmt::format("there is no scene '{}'{}", name, nearest_name_hint(name, names)));
+  throw UsageError(fmt::format("there is no scene '{}'{}", name, suggestion(name, names)));
+}
+
+}  // namespace
+
+Action declare_scenes(Options& options) {
+  auto name = std::make_shared<std::string>();
+  options.optional_argument("NAME", "scene to print", *name);
+  return [name](const Stopwatch&) { return scenes(*name); };
 }
 
 }  // namespace wuerfel

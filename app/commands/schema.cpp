@@ -4,9 +4,11 @@
 
 namespace wuerfel {
 
-ExitCode schema() {
-  write_text("-", scene_schema());
-  return ExitCode::fine;
+Action declare_schema(Options&) {
+  return [](const Stopwatch&) {
+    write_text("-", scene_schema());
+    return ExitCode::fine;
+  };
 }
 
 }  // namespace wuerfel

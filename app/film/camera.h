@@ -22,14 +22,14 @@ struct Camera {
   double zoom = 1.0;  ///< > 1: nearer
 };
 
-/// "fit", "x,y,width" in metres or "follow:NAME". Throws RenderError.
+/// "fit", "x,y,width" in metres or "follow:NAME". Throws UsageError.
 Camera parse_camera(std::string_view text);
 
 /// The options that parse_camera and --zoom understand, with every number in full.
 std::string option_text(const Camera& camera);
 
 /// What a camera of any kind but `fit` sees of `snapshot` in a picture of this size. One that
-/// follows a body sees 14 of its sides from left to right. Throws RenderError where there is no
+/// follows a body sees 14 of its sides from left to right. Throws UsageError where there is no
 /// such body.
 View camera_view(const Camera& camera, const Snapshot& snapshot, int width, int height);
 

@@ -1,7 +1,6 @@
 #include "app/film/picture_options.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/core.h>
 
@@ -12,26 +11,6 @@ namespace wuerfel {
 namespace {
 
 constexpr double longest_velocity_arrow = 1.5;  // typical sides of a cube
-
-/// What the whole motion tells of the arrows.
-struct MotionRange {
-  ForceRange forces;
-  double fastest = 0.0;      // m/s
-  double largest_rod = 0.0;  // N
-};
-
-MotionRange range_of(const Recording& motion) {
-  MotionRange range;
-  Recording::Replay replay(motion);
-  for (Snapshot snapshot; replay.next(snapshot);) {
-    range.forces.include(snapshot);
-    for (const SnapshotBox& box : snapshot.boxes)
-      range.fastest = std::max(range.fastest, box.velocity.norm());
-    for (const SnapshotRod& rod : snapshot.rods)
-      range.largest_rod = std::max(range.largest_rod, std::abs(rod.tension));
-  }
-  return range;
-}
 
 Insets insets_of(const PictureOptions& options) {
   FrameOptions frame;
@@ -46,13 +25,12 @@ Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
   const ForceScale scale = arrows ? *options.force_scale->whole : ForceScale{};
   const double arrow_per_speed = options.velocity_scale.value_or(0.0);
   Bounds bounds;
-  Recording::Replay replay(motion);
-  for (Snapshot snapshot; replay.next(snapshot);) {
+  motion.for_each([&](const Snapshot& snapshot) {
     bounds.include(snapshot, scale);
-    if (!options.layers.has(Layer::velocities)) continue;
+    if (!options.layers.has(Layer::velocities)) return;
     for (const SnapshotBox& box : snapshot.boxes)
       bounds.include(Vec2(box.center + arrow_per_speed * box.velocity));
-  }
+  });
   const View view = fit_view(bounds, options.size.width, options.size.height, insets_of(options));
   Camera camera;
   camera.kind = Camera::Kind::fixed;
@@ -92,7 +70,7 @@ bool needs_whole_motion(const PictureOptions& options) {
 }
 
 PictureOptions fit_to_motion(PictureOptions options, const Recording& motion) {
-  const MotionRange range = range_of(motion);
+  const MotionRange& range = motion.range();
   if (options.layers.has(Layer::forces)) {
     if (!options.force_scale) {
       const ForceScale scale = range.forces.scale();

@@ -1,165 +1,93 @@
 #include "app/film/recording.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace wuerfel {
 
 namespace {
 
-using Scenery = Revisions::Scenery;
-
-void put(const Vec2& v, Scenery& numbers) { numbers.insert(numbers.end(), {v.x(), v.y()}); }
-
-Scenery encode(const Snapshot& snapshot) {
-  Scenery numbers;
-  for (const SnapshotBox& box : snapshot.boxes) {
-    put(box.center, numbers);
-    put(box.velocity, numbers);
-    numbers.insert(numbers.end(), {box.angle, box.spin});
-  }
-  const auto put_count = [&numbers](const auto& list) {
-    numbers.push_back(static_cast<double>(list.size()));
-  };
-  put_count(snapshot.forces);
-  for (const SnapshotForce& force : snapshot.forces) {
-    put(force.point, numbers);
-    put(force.force, numbers);
-    numbers.insert(numbers.end(),
-                   {static_cast<double>(force.kind), static_cast<double>(force.body)});
-  }
-  put_count(snapshot.rods);
-  for (const SnapshotRod& rod : snapshot.rods) {
-    put(rod.a, numbers);
-    put(rod.b, numbers);
-    numbers.push_back(rod.tension);
-  }
-  put_count(snapshot.points);
-  for (const SnapshotPoint& point : snapshot.points) {
-    put(point.position, numbers);
-    numbers.push_back(point.mass);
-  }
-  put_count(snapshot.contacts);
-  for (const SnapshotContact& contact : snapshot.contacts) {
-    for (const Vec2* v : {&contact.p_i, &contact.p_j, &contact.p_k, &contact.normal})
-      put(*v, numbers);
-  }
-  put_count(snapshot.sides);
-  for (const SnapshotSide& side : snapshot.sides) {
-    for (const Vec2* v : {&side.p_i, &side.p_j, &side.p_k})
-      put(*v, numbers);
-    numbers.push_back(side.area);
-  }
-  return numbers;
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& list) {
+  return list.size() * sizeof(T);
 }
-
-// The numbers one by one, in the order in which `encode` wrote them.
-class Cursor {
- public:
-  explicit Cursor(const Scenery& numbers) : at_(numbers.data()) {}
-  double number() { return *at_++; }
-  Vec2 vector() {
-    const double x = number();
-    return {x, number()};
-  }
-  std::size_t count() { return static_cast<std::size_t>(number()); }
-
- private:
-  const double* at_;
-};
-
-void decode(const Scenery& numbers, Snapshot& snapshot) {
-  Cursor cursor(numbers);
-  for (SnapshotBox& box : snapshot.boxes) {
-    box.center = cursor.vector();
-    box.velocity = cursor.vector();
-    box.angle = cursor.number();
-    box.spin = cursor.number();
-  }
-  snapshot.forces.resize(cursor.count());
-  for (SnapshotForce& force : snapshot.forces) {
-    force.point = cursor.vector();
-    force.force = cursor.vector();
-    force.kind = static_cast<ForceKind>(cursor.number());
-    force.body = static_cast<int>(cursor.number());
-  }
-  snapshot.rods.resize(cursor.count());
-  for (SnapshotRod& rod : snapshot.rods) {
-    rod.a = cursor.vector();
-    rod.b = cursor.vector();
-    rod.tension = cursor.number();
-  }
-  snapshot.points.resize(cursor.count());
-  for (SnapshotPoint& point : snapshot.points) {
-    point.position = cursor.vector();
-    point.mass = cursor.number();
-  }
-  snapshot.contacts.resize(cursor.count());
-  for (SnapshotContact& contact : snapshot.contacts) {
-    for (Vec2* v : {&contact.p_i, &contact.p_j, &contact.p_k, &contact.normal})
-      *v = cursor.vector();
-  }
-  snapshot.sides.resize(cursor.count());
-  for (SnapshotSide& side : snapshot.sides) {
-    for (Vec2* v : {&side.p_i, &side.p_j, &side.p_k})
-      *v = cursor.vector();
-    side.area = cursor.number();
-  }
-}
-
-// What stands before the numbers of a frame.
-struct FrameHead {
-  double time = 0.0;
-  double energy = 0.0;
-  std::uint64_t revision = 0;
-  std::uint64_t numbers = 0;  // that follow; none where they are those of the frame before
-};
 
 }  // namespace
 
-bool Revisions::stamp(Snapshot& snapshot) {
-  Scenery scenery = encode(snapshot);
-  const bool is_new = revision_ == 0 || scenery != scenery_;
-  if (is_new) {
-    scenery_ = std::move(scenery);
-    ++revision_;
+Audit MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
+  Simulation simulation(scene, motion);
+  simulation.set_pulse([this] { stop.check(); });
+  for (const Instant& instant : instants) {
+    stop.check();
+    simulation.advance_to(instant.t);
+    if (instant.frame) show(simulation.snapshot(request));
   }
-  snapshot.revision = revision_;
-  return is_new;
+  return simulation.audit();
+}
+
+void MotionRange::include(const Snapshot& snapshot) {
+  forces.include(snapshot);
+  for (const SnapshotBox& box : snapshot.boxes)
+    fastest = std::max(fastest, box.velocity.norm());
+  for (const SnapshotRod& rod : snapshot.rods)
+    largest_rod = std::max(largest_rod, std::abs(rod.tension));
+}
+
+std::size_t Recording::Scenery::bytes() const {
+  return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(rods) + bytes_of(points)
+         + bytes_of(contacts) + bytes_of(sides);
 }
 
 void Recording::add(Snapshot snapshot) {
-  const bool is_new = revisions_.stamp(snapshot);
-  const Scenery& scenery = revisions_.scenery();
-  const FrameHead head{snapshot.time, snapshot.energy, snapshot.revision,
-                       is_new ? scenery.size() : 0};
-  log_.append({reinterpret_cast<const std::uint8_t*>(&head), sizeof head});
-  if (is_new) {
-    log_.append(
-        {reinterpret_cast<const std::uint8_t*>(scenery.data()), scenery.size() * sizeof(double)});
+  range_.include(snapshot);
+  if (!kept()) return;
+  Scenery scenery{{},
+                  std::move(snapshot.forces),
+                  std::move(snapshot.rods),
+                  std::move(snapshot.points),
+                  std::move(snapshot.contacts),
+                  std::move(snapshot.sides)};
+  scenery.boxes.reserve(snapshot.boxes.size());
+  for (const SnapshotBox& box : snapshot.boxes)
+    scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin});
+  Frame frame{snapshot.time, snapshot.energy, nullptr};
+  bytes_ += sizeof frame;
+  if (!frames_.empty() && *frames_.back().scenery == scenery) {
+    frame.scenery = frames_.back().scenery;
+  } else {
+    bytes_ += scenery.bytes();
+    frame.scenery = std::make_shared<const Scenery>(std::move(scenery));
   }
-  if (size_ == 0) first_ = std::move(snapshot);
-  ++size_;
+  if (frames_.empty()) first_ = std::move(snapshot);
+  frames_.push_back(std::move(frame));
+  if (!kept()) frames_ = {};
 }
 
-bool Recording::Replay::next(Snapshot& snapshot) {
-  if (done_ == recording_.size_) return false;
-  if (done_ == 0) snapshot = recording_.first_;
-  FrameHead head;
-  recording_.log_.read(at_, {reinterpret_cast<std::uint8_t*>(&head), sizeof head});
-  at_ += sizeof head;
-  snapshot.time = head.time;
-  snapshot.energy = head.energy;
-  snapshot.revision = head.revision;
-  if (head.numbers > 0) {
-    Scenery numbers(head.numbers);
-    const std::size_t bytes = numbers.size() * sizeof(double);
-    recording_.log_.read(at_, {reinterpret_cast<std::uint8_t*>(numbers.data()), bytes});
-    at_ += bytes;
-    decode(numbers, snapshot);
+void Recording::for_each(const std::function<void(const Snapshot&)>& show) const {
+  if (!kept()) {
+    source_->show_frames(show);
+    return;
   }
-  ++done_;
-  return true;
+  Snapshot snapshot = first_;
+  for (const Frame& frame : frames_) {
+    snapshot.time = frame.time;
+    snapshot.energy = frame.energy;
+    const Scenery& scenery = *frame.scenery;
+    for (std::size_t i = 0; i < scenery.boxes.size(); ++i) {
+      const Pose& pose = scenery.boxes[i];
+      SnapshotBox& box = snapshot.boxes[i];
+      std::tie(box.center, box.velocity, box.angle, box.spin) =
+          std::tie(pose.center, pose.velocity, pose.angle, pose.spin);
+    }
+    snapshot.forces = scenery.forces;
+    snapshot.rods = scenery.rods;
+    snapshot.points = scenery.points;
+    snapshot.contacts = scenery.contacts;
+    snapshot.sides = scenery.sides;
+    show(snapshot);
+  }
 }
 
 }  // namespace wuerfel

@@ -1,59 +1,92 @@
-/// A run to be drawn later: view and force scale are one for all pictures, so the whole motion must
-/// be known first.
+/// A motion to be drawn when its end is known: view and arrow scales are one for all pictures.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <vector>
 
-#include "app/film/byte_log.h"
+#include "app/cli/stop_signal.h"
+#include "app/film/timetable.h"
+#include "core/scene/scene.h"
+#include "core/settings.h"
 #include "core/snapshot.h"
+#include "core/time/simulation.h"
+#include "render/force_scale.h"
 
 namespace wuerfel {
 
-/// Numbers snapshots so that equal revisions are equal pictures but for the time shown.
-class Revisions {
- public:
-  /// The numbers behind what a picture of `snapshot` shows, without time and energy.
-  using Scenery = std::vector<double>;
+/// A motion that can be gone through again and again, each time with the same bits.
+struct MotionSource {
+  const Scene& scene;
+  MotionSettings motion;
+  std::vector<Instant> instants;
+  SnapshotRequest request;
+  const StopSignal& stop;
 
-  /// Gives the next snapshot its revision: that of the one before where nothing but time and energy
-  /// has changed. True where it is new.
-  bool stamp(Snapshot& snapshot);
-  /// Of the last snapshot.
-  [[nodiscard]] const Scenery& scenery() const { return scenery_; }
-
- private:
-  Scenery scenery_;
-  std::uint64_t revision_ = 0;
+  /// Simulates it from the start and shows its frames; what the audit says in the end. Throws
+  /// Interrupted.
+  Audit show_frames(const std::function<void(const Snapshot&)>& show) const;
 };
 
-/// Snapshots kept compactly: what never changes (names, sizes, colours, fixed boxes, planes) once,
-/// the rest once per frame, and where nothing moved not again. Memory is bounded (see ByteLog).
+/// What a whole motion tells of the arrows.
+struct MotionRange {
+  ForceRange forces;
+  double fastest = 0.0;      ///< m/s
+  double largest_rod = 0.0;  ///< N
+
+  void include(const Snapshot& snapshot);
+};
+
+/// The frames of a motion. What never changes (names, sizes, colours, fixed boxes, planes) is kept
+/// once; what moves once per frame, and not again where nothing did. Memory is bounded: a motion
+/// that would take more than the limit is not kept but simulated again when it is asked for.
 class Recording {
  public:
+  static constexpr std::size_t default_limit = std::size_t{512} << 20U;  // bytes
+
+  /// `source` lives longer than the recording.
+  explicit Recording(const MotionSource& source, std::size_t limit = default_limit)
+      : source_(&source), limit_(limit) {}
+
   void add(Snapshot snapshot);
-
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-
-  /// Goes through the snapshots from the first to the last.
-  class Replay {
-   public:
-    explicit Replay(const Recording& recording) : recording_(recording) {}
-    /// False behind the last. `snapshot` has to be the one of the call before.
-    bool next(Snapshot& snapshot);
-
-   private:
-    const Recording& recording_;
-    std::size_t done_ = 0;
-    std::uint64_t at_ = 0;  // bytes
-  };
+  [[nodiscard]] const MotionRange& range() const { return range_; }
+  /// All frames in their order.
+  void for_each(const std::function<void(const Snapshot&)>& show) const;
 
  private:
+  struct Pose {
+    Vec2 center;
+    Vec2 velocity;
+    double angle;
+    double spin;
+    bool operator==(const Pose&) const = default;
+  };
+  /// All that a picture shows besides what never changes and the time.
+  struct Scenery {
+    std::vector<Pose> boxes;
+    std::vector<SnapshotForce> forces;
+    std::vector<SnapshotRod> rods;
+    std::vector<SnapshotPoint> points;
+    std::vector<SnapshotContact> contacts;
+    std::vector<SnapshotSide> sides;
+    bool operator==(const Scenery&) const = default;
+    [[nodiscard]] std::size_t bytes() const;
+  };
+  struct Frame {
+    double time;
+    double energy;
+    std::shared_ptr<const Scenery> scenery;
+  };
+
+  [[nodiscard]] bool kept() const { return bytes_ <= limit_; }
+
+  const MotionSource* source_;
+  std::size_t limit_;
+  MotionRange range_;
   Snapshot first_;
-  Revisions revisions_;
-  ByteLog log_;  // of each frame: time, energy, revision, how many numbers follow, the numbers
-  std::size_t size_ = 0;
+  std::vector<Frame> frames_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace wuerfel

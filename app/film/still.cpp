@@ -4,17 +4,26 @@
 
 #include <fmt/core.h>
 
-#include "app/cli/progress.h"
-#include "app/film/advance.h"
+#include "app/cli/exit_code.h"
 #include "app/film/origin.h"
+#include "app/film/recording.h"
 #include "app/film/trails.h"
 #include "core/scene/scene_parser.h"
 #include "render/compose_frame.h"
+#include "render/error.h"
 #include "render/renderer.h"
 
 namespace wuerfel {
 
 namespace {
+
+std::optional<StripLayout> layout_of(const StillOptions& options) try {
+  if (!options.strip) return std::nullopt;
+  const auto [width, height] = options.picture.size;
+  return strip_layout(*options.strip, width, height, options.picture.scale);
+} catch (const RenderError& error) {
+  throw UsageError(error.what());
+}
 
 // Frames of a strip are smaller, and their captions take the place of the HUD.
 PictureOptions cell_options(const PictureOptions& page, const StripLayout& layout) {
@@ -42,16 +51,15 @@ std::vector<DrawList> compose_cells(const Recording& motion,
   const FrameOptions frame = frame_options(fitted, scene);
   Trails trails;
   std::vector<DrawList> lists;
-  Recording::Replay replay(motion);
-  Snapshot snapshot;
-  for (const Instant& instant : instants) {
-    replay.next(snapshot);
-    if (instant.frame) trails.add(snapshot);
-    if (!instant.sample) continue;
+  auto instant = instants.begin();
+  motion.for_each([&](const Snapshot& snapshot) {
+    const auto [t, on_the_way, asked_for] = *instant++;
+    if (on_the_way) trails.add(snapshot);
+    if (!asked_for) return;
     Snapshot shown = snapshot;
     shown.trails = trails.paths();
     lists.push_back(compose_frame(shown, view_of(fitted, shown), style, frame, font));
-  }
+  });
   return lists;
 }
 
@@ -71,26 +79,20 @@ Still compose_still(const Scene& scene,
                     const StillOptions& options,
                     const StopSignal& stop,
                     Font& font) {
+  const std::optional<StripLayout> layout = layout_of(options);
   const std::vector<Instant> instants = instants_of(options);
-  Simulation simulation(scene, options.motion);
-  Progress silent(Progress::Style::silent, "simulating", options.times.back(), "s");
-  Recording motion;
-  for (const Instant& instant : instants) {
-    advance(simulation, instant.t, options.motion.step, stop, silent);
-    motion.add(simulation.snapshot(snapshot_request(options.picture.layers)));
-  }
+  MotionSource source{scene, options.motion, instants, snapshot_request(options.picture.layers),
+                      stop};
+  for (Instant& instant : source.instants)
+    instant.frame = true;
+  Recording motion(source);
+  Still still;
+  still.audit = source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
 
-  std::optional<StripLayout> layout;
-  if (options.strip) {
-    const auto [width, height] = options.picture.size;
-    layout = strip_layout(*options.strip, width, height, options.picture.scale);
-  }
   const PictureOptions fitted =
       fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);
   std::vector<DrawList> lists = compose_cells(motion, instants, fitted, scene, font);
 
-  Still still;
-  still.audit = simulation.audit();
   still.origin.push_back(time_text(options.times));
   for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(scene)))
     still.origin.push_back(std::move(text));

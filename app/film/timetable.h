@@ -17,14 +17,19 @@ struct FrameRate {
   double speed = 1.0;  ///< simulated seconds per second of the film
 };
 
+/// How many frames there are from 0 to `end` s. Throws UsageError where they would fill memory and
+/// disk long before they were of use.
+long frame_count(double end, const FrameRate& rate);
+
 /// Times of the frames from 0 to `end` s, both included: k / fps * speed for k = 0 .. floor(end fps
 /// / speed).
 std::vector<double> frame_times(double end, const FrameRate& rate);
 
-/// Frames, samples and the end in one order in time, every instant once; the times are exactly
+/// Frames, samples, other moments to stop at and the end in one order in time, every instant once; the times are exactly
 /// those given.
 std::vector<Instant> timetable(double end,
                                const std::vector<double>& frames,
-                               const std::vector<double>& samples);
+                               const std::vector<double>& samples,
+                               const std::vector<double>& marks = {});
 
 }  // namespace wuerfel

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/streams.h"
+#include "app/film/picture_options.h"
 #include "app/output/frame_folder.h"
 #include "render/animation.h"
 #include "render/frame_pipeline.h"
@@ -29,8 +31,15 @@ class PictureOutputs {
   std::vector<std::unique_ptr<AnimationWriter>> films_;
 };
 
+/// Notes where a film cannot be what was asked for: of an odd size, or transparent; and an --encoder
+/// that has no frames to compress.
+void note_film_differences(const std::vector<std::string>& names,
+                           const PictureOptions& picture,
+                           bool encoder_given,
+                           Notes& notes);
+
 /// Throws UsageError unless the name is that of a folder (it ends in / or is one) or has a film's
-/// suffix.
+/// suffix, and OutputError where a film would have the name of a folder.
 void require_picture_output(const std::string& name);
 
 }  // namespace wuerfel

@@ -63,17 +63,14 @@ Json cost_json(const Cost& work, const RunCost& cost) {
 
 }  // namespace
 
-Summary::Summary(const std::string& file, bool to_stdout) : to_stdout_(to_stdout) {
-  if (!file.empty()) file_.emplace(file);
+SummaryFile::SummaryFile(const std::string& name) {
+  if (!name.empty()) file_.emplace(name);
 }
 
-void Summary::write(const Json& summary) {
-  const std::string text = summary.dump(2) + "\n";
-  if (file_) {
-    file_->write(text);
-    file_->finish();
-  }
-  if (to_stdout_) write_text("-", text);
+void SummaryFile::write(const std::string& text) {
+  if (!file_) return;
+  file_->write(text);
+  file_->finish();
 }
 
 Json event_json(const Event& event) {
@@ -88,6 +85,7 @@ Json run_summary(const Scene& scene,
                  const MotionSettings& settings,
                  const Simulation& simulation,
                  const std::vector<Sample>& samples,
+                 const Notes& notes,
                  const RunCost& cost) {
   Json sample_list = Json::array();
   for (const Sample& sample : samples)
@@ -102,6 +100,7 @@ Json run_summary(const Scene& scene,
           {"samples", std::move(sample_list)},
           {"events", std::move(event_list)},
           {"audit", audit_json(simulation.audit())},
+          {"notes", notes.texts()},
           {"outcome", {{"moved", simulation.moved()}, {"at_rest", simulation.at_rest()}}},
           {"cost", cost_json(simulation.cost(), cost)}};
 }

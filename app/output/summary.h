@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/cli/streams.h"
 #include "app/output/text_output.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
@@ -33,19 +34,19 @@ nlohmann::ordered_json run_summary(const Scene& scene,
                                    const MotionSettings& settings,
                                    const Simulation& simulation,
                                    const std::vector<Sample>& samples,
+                                   const Notes& notes,
                                    const RunCost& cost);
 
-/// Where the summary goes: into a file, to standard output, or both.
-class Summary {
+/// The file for the summary, if one is wanted.
+class SummaryFile {
  public:
   /// Throws OutputError at once where the file cannot be written; no file where the name is empty.
-  Summary(const std::string& file, bool to_stdout);
+  explicit SummaryFile(const std::string& name);
   /// Throws OutputError.
-  void write(const nlohmann::ordered_json& summary);
+  void write(const std::string& text);
 
  private:
   std::optional<TextOutput> file_;
-  bool to_stdout_;
 };
 
 /// One event as it stands in the summary and in the lines of --events.

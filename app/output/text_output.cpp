@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/stop_signal.h"
 #include "render/error.h"
 
 namespace wuerfel {
@@ -63,6 +64,10 @@ void TextOutput::write(std::string_view text) {
   if (buffer_.size() >= buffer_size) flush();
 }
 
+void TextOutput::write(std::span<const std::uint8_t> bytes) {
+  write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 void TextOutput::finish() {
   flush();
   if (file_) file_->commit();
@@ -84,6 +89,8 @@ void TextOutput::flush() {
 }
 
 void TextOutput::fail() const {
+  // As `| head` ends other programs: without a word.
+  if (errno == EPIPE && descriptor_ == STDOUT_FILENO) throw Interrupted{SIGPIPE};
   throw OutputError(
       fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
 }

@@ -1,7 +1,9 @@
-/// Text that goes into a file, appearing whole or not at all, or to standard output.
+/// Text, or a picture, that goes into a file, appearing whole or not at all, or to standard output.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,9 +21,10 @@ class TextOutput {
   TextOutput(const TextOutput&) = delete;
   TextOutput& operator=(const TextOutput&) = delete;
 
-  /// Throws OutputError.
+  /// Throws OutputError, and Interrupted where nobody reads standard output any more.
   void write(std::string_view text);
-  /// Throws OutputError. Without this call a file does not appear.
+  void write(std::span<const std::uint8_t> bytes);
+  /// Throws the same. Without this call a file does not appear.
   void finish();
 
  private:

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/error.h"
+#include "app/cli/exit_code.h"
 #include "tests/support/image_scenes.h"
 
 namespace wuerfel {
@@ -33,7 +33,7 @@ TEST(Camera, KeepsABodyInTheMiddle) {
 
 TEST(Camera, NamesTheBodyThatIsNotThere) {
   EXPECT_THROW(camera_view(parse_camera("follow:nobody"), testing::pyramid_snapshot(), 64, 36),
-               RenderError);
+               UsageError);
 }
 
 TEST(Camera, IsWrittenSoThatItCanBeReadAgain) {

@@ -1,7 +1,10 @@
 #include "app/film/recording.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "core/scene/scene_parser.h"
 #include "tests/support/image_scenes.h"
 
 namespace wuerfel {
@@ -52,46 +55,56 @@ void expect_equal(const Snapshot& a, const Snapshot& b) {
   EXPECT_EQ(a.sides.back().area, b.sides.back().area);
 }
 
-TEST(Recording, GivesBackEverySnapshotAsOftenAsAsked) {
-  Recording recording;
+/// Twenty instants of a cube in flight, which is what a recording may have to simulate again.
+class Recordings : public ::testing::Test {
+ protected:
+  Scene scene_ = parse_scene("version = 1\n[[cube]]\nname = \"a\"\nposition = [0, 10]\n", "flight");
+  StopSignal stop_;
+  MotionSource source_{scene_, {}, timetable(1.0, frame_times(1.0, {.fps = 20.0}), {}), {}, stop_};
+};
+
+TEST_F(Recordings, GiveBackEverySnapshotAsOftenAsAsked) {
+  Recording recording(source_);
   for (int i = 0; i < 20; ++i)
     recording.add(moved(i));
-  EXPECT_EQ(recording.size(), 20U);
   for (int round = 0; round < 2; ++round) {
-    Recording::Replay replay(recording);
-    Snapshot snapshot;
-    for (int i = 0; i < 20; ++i) {
-      ASSERT_TRUE(replay.next(snapshot));
-      expect_equal(snapshot, moved(i));
-    }
-    EXPECT_FALSE(replay.next(snapshot));
+    int i = 0;
+    recording.for_each([&i](const Snapshot& snapshot) { expect_equal(snapshot, moved(i++)); });
+    EXPECT_EQ(i, 20);
   }
 }
 
-TEST(Revisions, AreEqualWhereOnlyTimeAndEnergyHaveChanged) {
-  Recording recording;
-  for (const int step : {0, 0, 1, 1, 0}) {
-    Snapshot snapshot = moved(step);
-    snapshot.time = static_cast<double>(recording.size());
-    snapshot.energy = -snapshot.time;
-    recording.add(snapshot);
-  }
-  Recording::Replay replay(recording);
-  std::vector<std::uint64_t> revisions;
-  for (Snapshot snapshot; replay.next(snapshot);) {
-    EXPECT_EQ(snapshot.time, static_cast<double>(revisions.size()));
-    revisions.push_back(snapshot.revision);
-  }
-  EXPECT_EQ(revisions, (std::vector<std::uint64_t>{1, 1, 2, 2, 3}));
+TEST_F(Recordings, KnowWhatArrowsReach) {
+  Recording recording(source_);
+  for (int i = 0; i < 4; ++i)
+    recording.add(moved(i));
+  double largest = 0.0;
+  for (const SnapshotForce& force : moved(3).forces)
+    largest = std::max(largest, force.force.norm());
+  EXPECT_EQ(recording.range().forces.largest(), largest);
 }
 
-TEST(Revisions, ChangeWithAForceAlone) {
-  Revisions revisions;
-  Snapshot snapshot = testing::pyramid_snapshot();
-  EXPECT_TRUE(revisions.stamp(snapshot));
-  EXPECT_FALSE(revisions.stamp(snapshot));
-  snapshot.forces.front().force.x() += 1e-12;
-  EXPECT_TRUE(revisions.stamp(snapshot));
+TEST_F(Recordings, OfWhatIsTooLargeToBeKeptAreSimulatedAgain) {
+  std::vector<Snapshot> shown;
+  Recording kept(source_);
+  Recording dropped(source_, 1000);
+  source_.show_frames([&](const Snapshot& snapshot) {
+    shown.push_back(snapshot);
+    kept.add(snapshot);
+    dropped.add(snapshot);
+  });
+  ASSERT_EQ(shown.size(), 21U);
+  for (const Recording* recording : {&kept, &dropped}) {
+    std::size_t i = 0;
+    recording->for_each([&](const Snapshot& snapshot) {
+      EXPECT_EQ(snapshot.time, shown[i].time);
+      EXPECT_EQ(snapshot.energy, shown[i].energy);
+      EXPECT_EQ(snapshot.boxes[0].center, shown[i].boxes[0].center);
+      ++i;
+    });
+    EXPECT_EQ(i, 21U);
+  }
+  EXPECT_EQ(kept.range().fastest, dropped.range().fastest);
 }
 
 }  // namespace
