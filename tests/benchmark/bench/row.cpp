@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "app/commit.h"
+#include "tests/benchmark/bench/commit.h"
 
 namespace wuerfel {
 
