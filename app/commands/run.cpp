@@ -34,17 +34,16 @@ void note_idle_options(const RunOptions& asked, const Options& options, Notes& n
   note_film_differences(asked.outputs, asked.picture, options.given("--encoder"), notes);
 }
 
-Answer run(const RunOptions& asked,
-           const Options& options,
-           const SceneText& text,
-           AnswerForm form,
-           const Stopwatch& since_start) {
-  if (form.one_line && !asked.files().empty())
-    throw UsageError("files are written for one scene at a time; for several there is --json");
-  Notes notes(asked.quiet);
-  note_idle_options(asked, options, notes);
-  const Scene scene = parse(text, asked.overrides, notes);
-  const RunPlan plan = make_plan(asked, scene);
+/// What a run starts from.
+struct Job {
+  const RunOptions& asked;
+  const Scene& scene;
+  RunPlan plan;
+  Stopwatch since_start;
+};
+
+Answer run(const Job& job, AnswerForm form, Notes& notes) {
+  const auto& [asked, scene, plan, since_start] = job;
   const StopSignal stop;
   Simulation simulation(scene, asked.motion);
   simulation.set_pulse([&stop] { stop.check(); });
@@ -87,6 +86,19 @@ Answer run(const RunOptions& asked,
   return {code, form.json ? json_text(summary, form) : ""};
 }
 
+Answer answer(const RunOptions& asked,
+              const Options& options,
+              const SceneText& text,
+              AnswerForm form,
+              const Stopwatch& since_start) {
+  if (form.one_line && !asked.files().empty())
+    throw UsageError("files are written for one scene at a time; for several there is --json");
+  Notes notes(asked.quiet);
+  note_idle_options(asked, options, notes);
+  const Scene scene = parse(text, asked.overrides, notes);
+  return run({asked, scene, make_plan(asked, scene), since_start}, form, notes);
+}
+
 void declare_outputs(Options& options, RunOptions& asked) {
   options.value("-o,--output", "DIR/|FILE",
                 "folder of frames, or a film: .mp4 .webm .gif .apng (repeatable)",
@@ -124,7 +136,7 @@ Action declare_run(Options& options) {
   return [asked, &options](const Stopwatch& since_start) {
     require_distinct_outputs(*asked);
     return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
-      return run(*asked, options, text, form, since_start);
+      return answer(*asked, options, text, form, since_start);
     });
   };
 }
