@@ -6,6 +6,7 @@
 
 #include "core/time/simulation.h"
 #include "tests/support/bin_scene.h"
+#include "tests/support/parameter_names.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -96,7 +97,7 @@ TEST_P(HairsGap, ACubeDropsFlatOnTwoOthers) {
 INSTANTIATE_TEST_SUITE_P(Gaps,
                          HairsGap,
                          testing::Values(0.0, 1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-6),
-                         [](const auto& test) { return "case" + std::to_string(test.index); });
+                         name_of_number<double>);
 
 TEST(Gallery, ASquareThatSpinsHitsACorner) {
   Scene scene = on_floor({cube("low", {0.0, 0.5}), cube("spinning", {0.9, 2.3})});
@@ -238,7 +239,7 @@ TEST_P(Bin, OfRandomSquaresNeverOverlaps) {
   run_and_check(bin_scene(12, 4.0, 14.0, GetParam()), 3.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Bin, testing::Range(1, 9));
+INSTANTIATE_TEST_SUITE_P(Seeds, Bin, testing::Range(1, 9), name_of_number<int>);
 
 }  // namespace
 }  // namespace wuerfel::test

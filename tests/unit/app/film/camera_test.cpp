@@ -5,7 +5,7 @@
 #include "app/cli/exit_code.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST(Camera, LooksAtTheWindowGiven) {
@@ -50,4 +50,4 @@ TEST(Camera, IsWrittenSoThatItCanBeReadAgain) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

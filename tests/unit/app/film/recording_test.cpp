@@ -7,7 +7,7 @@
 #include "core/scene/scene_parser.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// The literal pyramid and the triangles of Eq. (2), moved by `step` centimetres.
@@ -108,4 +108,4 @@ TEST_F(Recordings, OfWhatIsTooLargeToBeKeptAreSimulatedAgain) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 Snapshot at(int moment) {
@@ -44,4 +44,4 @@ TEST(Trails, OfLongRunsKeepTheirEndsAndEvenSteps) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test
