@@ -12,7 +12,7 @@ foreach(path IN LISTS files)
   string(APPEND entries "    {\"${name}\", R\"scene(${text})scene\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made from assets/scenes by app/embed_scenes.cmake.
-#include \"app/shipped_scenes.h\"
+#include \"app/cli/shipped_scenes.h\"
 
 #include <array>
 

@@ -42,6 +42,7 @@ struct SnapshotForce {
   int body =
       -1;  ///< index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a
            ///< little towards it, so that forces on neighbours at one point don't hide each other
+  bool operator==(const SnapshotForce&) const = default;
 };
 
 /// A rod (Stange) of a cube with its tension.
@@ -49,12 +50,14 @@ struct SnapshotRod {
   Vec2 a = Vec2::Zero();  ///< m
   Vec2 b = Vec2::Zero();  ///< m
   double tension = 0.0;   ///< N, tension positive; 0 where forces were not asked for
+  bool operator==(const SnapshotRod&) const = default;
 };
 
 /// A point mass of the paper's model (Figure 7).
 struct SnapshotPoint {
   Vec2 position = Vec2::Zero();  ///< m
   double mass = 0.0;             ///< kg
+  bool operator==(const SnapshotPoint&) const = default;
 };
 
 /// A touching point: corner p_k on the side (p_i, p_j), with the unit normal into the corner's
@@ -64,6 +67,7 @@ struct SnapshotContact {
   Vec2 p_j = Vec2::Zero();
   Vec2 p_k = Vec2::Zero();
   Vec2 normal = Vec2::UnitY();
+  bool operator==(const SnapshotContact&) const = default;
 };
 
 /// The triangle of Eq. (2), drawn with its sign: corner p_k before or behind the side (p_i, p_j).
@@ -73,6 +77,7 @@ struct SnapshotSide {
   Vec2 p_j = Vec2::Zero();  ///< m
   Vec2 p_k = Vec2::Zero();  ///< m
   double area = 0.0;        ///< m^2, A of Eq. (2): twice the signed area, outside is positive
+  bool operator==(const SnapshotSide&) const = default;
 };
 
 /// Where the centre of a cube has been up to now, oldest first.

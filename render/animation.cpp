@@ -15,6 +15,13 @@ namespace {
 constexpr std::array<std::string_view, 4> suffixes{".mp4", ".webm", ".gif", ".apng"};
 constexpr std::size_t palette_size = 255;  ///< one of 256 is kept for transparency
 
+/// The same letters, small or large.
+bool ends_with(std::string_view path, std::string_view suffix) {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return path.size() >= suffix.size()
+         && std::ranges::equal(path.substr(path.size() - suffix.size()), suffix, {}, small);
+}
+
 /// `steps` colours between two, without the ends: an antialiased edge.
 void add_edge(Color from, Color to, int steps, std::vector<Color>& palette) {
   for (int i = 1; i <= steps; ++i)
@@ -25,17 +32,17 @@ void add_edge(Color from, Color to, int steps, std::vector<Color>& palette) {
 
 bool is_animation_path(const std::string& path) {
   return std::ranges::any_of(suffixes,
-                             [&path](std::string_view suffix) { return path.ends_with(suffix); });
+                             [&path](std::string_view suffix) { return ends_with(path, suffix); });
 }
 
 std::unique_ptr<AnimationWriter> make_animation_writer(const std::string& path,
                                                        const AnimationSettings& settings) {
-  if (path.ends_with(".apng")) return std::make_unique<ApngWriter>(path, settings);
-  if (path.ends_with(".mp4"))
+  if (ends_with(path, ".apng")) return std::make_unique<ApngWriter>(path, settings);
+  if (ends_with(path, ".mp4"))
     return std::make_unique<FfmpegWriter>(path, FilmFormat::mp4, settings);
-  if (path.ends_with(".webm"))
+  if (ends_with(path, ".webm"))
     return std::make_unique<FfmpegWriter>(path, FilmFormat::webm, settings);
-  if (path.ends_with(".gif"))
+  if (ends_with(path, ".gif"))
     return std::make_unique<FfmpegWriter>(path, FilmFormat::gif, settings);
   throw RenderError("no film format has the suffix of " + path
                     + "; known: .mp4, .webm, .gif, .apng");

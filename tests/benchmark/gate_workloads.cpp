@@ -12,11 +12,11 @@
 #include <utility>
 #include <valgrind/callgrind.h>
 
-#include "app/bench_scenes.h"
 #include "core/qp/qp_solver.h"
 #include "core/time/simulation.h"
 #include "render/compose_frame.h"
 #include "render/png.h"
+#include "tests/benchmark/bench/scenes.h"
 #include "tests/support/qp_zoo.h"
 
 namespace {
@@ -75,7 +75,7 @@ void count_motion(const std::string& scene) {
   const BenchScene bench = make_bench_scene(scene);
   count(scene, [&] {
     Simulation simulation(bench.scene, MotionSettings{});
-    simulation.advance_to(bench.end);
+    simulation.advance_to(bench.scene.duration);
   });
 }
 

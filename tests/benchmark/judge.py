@@ -7,7 +7,7 @@ import csv
 # Of an error a bound is the measured size times HEADROOM, and at least this: what rounding may do.
 HEADROOM = 4.0
 FLOOR = {
-    "state_error": 1e-13,  # of the size of a cube, as in `wuerfel bench`
+    "state_error": 1e-13,  # of the size of a cube, as in `bench`
     "event_error_s": 1e-13,
     "overlap_m": 1e-12,
     "energy_drift_J": 1e-11,

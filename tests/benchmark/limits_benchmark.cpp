@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "app/bench_clock.h"
 #include "core/qp/block_cholesky.h"
 #include "core/qp/optimality_meter.h"
 #include "core/qp/qp_solver.h"
 #include "render/deflate.h"
+#include "tests/benchmark/bench/clock.h"
 #include "tests/support/qp_zoo.h"
 
 namespace {

@@ -1,13 +1,16 @@
-"""`bench`: run time against error, as a table, as CSV and as plots."""
+"""`bench` of tests/benchmark: run time against error, as a table, as CSV and as plots."""
 import csv
 import io
+import os
 
 from program import ProgramTest, main, png_size
 
 
 class Bench(ProgramTest):
+    program = os.environ["BENCH"]
+
     def rows(self, *arguments):
-        done = self.expect(0, "bench", "--csv", "-", "--budget", "0.002", "--quiet", *arguments)
+        done = self.expect(0, "--csv", "-", "--budget", "0.002", "--quiet", *arguments)
         return list(csv.DictReader(io.StringIO(done.stdout)))
 
     def test_motions_by_events_keep_what_the_tolerance_promises(self):
@@ -50,7 +53,7 @@ class Bench(ProgramTest):
         self.assertEqual((row["engine"], row["bodies"], row["simulated_s"]), ("wuerfel", "1", "1"))
 
     def test_plots_are_pictures(self):
-        self.expect(0, "bench", "--scenes", "tilt,tower_3,tower_6", "--methods", "auto,event/rigid/newton",
+        self.expect(0, "--scenes", "tilt,tower_3,tower_6", "--methods", "auto,event/rigid/newton",
                     "--budget", "0", "--plot", self.path("plots"), "--quiet")
         names = ["error-tilt", "growth", "solvers"]
         self.assertEqual(self.files("plots"),
@@ -62,7 +65,7 @@ class Bench(ProgramTest):
     def test_unknown_names_are_refused_with_those_there_are(self):
         for arguments, words in ((("--scenes", "tilted"), "corner_impact"), (("--methods", "events"), "rattle"),
                                  (("--scenes", "tower_x"), "tower"), (("--methods", "event/rigid/auto/x"), "SOLVER")):
-            done = self.expect(2, "bench", *arguments)
+            done = self.expect(2, *arguments)
             self.assertIn(words, done.stderr)
             self.assertEqual(done.stdout, "")
 

@@ -1,11 +1,11 @@
-"""app/commit.cmake in small repositories, run by Ninja as the build does: right commits, and nothing to do when nothing has changed."""
+"""tests/benchmark/bench/commit.cmake in small repositories, run by Ninja as the build does: right commits, and nothing to do when nothing has changed."""
 import os
 import re
 import subprocess
 
 from program import ProgramTest, main
 
-SCRIPT = os.path.join(os.environ["PROJECT"], "app/commit.cmake")
+SCRIPT = os.path.join(os.environ["PROJECT"], "tests/benchmark/bench/commit.cmake")
 RULES = """
 rule commit
   command = cmake -DROOT={root} -DOUTPUT={build}/commit.cpp -DDEPFILE={build}/commit.cpp.d -P {script}

@@ -69,7 +69,9 @@ class Compare(ProgramTest):
     def test_update_accepts_what_is_there_now(self):
         self.draw("b/one.png", STANDING, "--layers", "cubes")
         os.rename(self.path("b/sub"), self.path("b/new"))
-        self.expect(1, "compare", "a", "b", "--update")  # sub/two.png is still missing
+        done = self.expect(1, "compare", "a", "b", "--update")  # sub/two.png is still missing
+        self.assertRegex(done.stdout, r"sub/two.png: missing.*delete it\n")
+        self.assertTrue(done.stdout.endswith("1 of 3 pictures differ, most of all sub/two.png\n"), done.stdout)
         self.expect(0, "compare", "a/one.png", "b/one.png")
         self.expect(0, "compare", "a/new/two.png", "b/new/two.png")
         os.remove(self.path("a/sub/two.png"))

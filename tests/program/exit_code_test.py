@@ -1,6 +1,8 @@
 """Exit codes: 0 fine, 1 falls or moves, 2 usage or scene, 3 undecided, 4 internal, 5 output."""
 import json
 import os
+import signal
+import subprocess
 
 from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main
 
@@ -54,6 +56,32 @@ class Usage(ProgramTest):
     def test_a_mistyped_name_is_answered_with_the_names_there_are(self):
         self.assertIn("symplectic", self.refuse("run", self.scene(FLYING), "--integrator", "symplektic"))
         self.assertIn("cubes", self.refuse("run", self.scene(FLYING), "--layers", "cube"))
+
+    def test_a_mistyped_command_or_option_is_answered_with_the_nearest(self):
+        scene = self.scene(FLYING)
+        for arguments, words in ((("rnu",), 'did you mean "run"?'), (("run", scene, "--untill", "3"), 'did you mean "--until"?'),
+                                 (("run", "--untill=3", scene), 'did you mean "--until"?'), (("check", scene, "--jsn"), '"--json"'),
+                                 (("chekc", scene), '"check"'), (("figure", scene, "--outptu", "f.png"), '"--output"'),
+                                 (("check", scene, "--step", "1"), "there is no option --step")):
+            with self.subTest(arguments):
+                self.assertIn(words, self.refuse(*arguments))
+        self.assertIn("wuerfel run --help", self.refuse("run", scene, "--untill", "3"))
+
+    def test_numbers_beyond_all_use_are_refused(self):
+        scene = self.scene(FLYING)
+        for arguments in (("--strip", "2147483647x2"), ("--strip", "65536x65536"), ("--strip", "2x2", "--scale", "1e9"),
+                          ("-t", "1e300", "--layers", "trails"), ("--tolerance", "1e-18")):
+            with self.subTest(arguments):
+                self.refuse("figure", scene, "-o", "f.png", *arguments)
+        self.assertEqual(self.files(), ["scene.json"])
+
+    def test_two_outputs_of_one_name_are_refused(self):
+        scene = self.scene(FLYING)
+        for arguments in (("--states", "x.csv", "--forces", "x.csv"), ("--states", "x.csv", "--events", "./x.csv"),
+                          ("-o", "f.gif", "-o", "f.gif"), ("-o", "f/", "-o", "f/../f")):
+            with self.subTest(arguments):
+                self.refuse("run", scene, *arguments)
+        self.assertEqual(self.files(), ["scene.json"])
 
     def test_too_many_frames_are_refused_before_they_fill_the_memory(self):
         self.refuse("run", self.scene(FLYING), "-o", "f/", "--fps", "1e15")
@@ -118,6 +146,10 @@ class Check(ProgramTest):
         self.assertTrue(done.stdout.startswith("falls\n"), done.stdout)
         self.assertIn("largest acceleration: b", done.stdout)
 
+    def test_for_people_it_says_who_moves_only_where_somebody_does(self):
+        self.assertNotIn("acceleration", self.expect(0, "check", self.scene(STANDING)).stdout)
+        self.assertIn("moving at the start: a", self.expect(1, "check", self.scene(FLYING)).stdout)
+
     def test_nobody_reading_is_an_output_error(self):
         with open("/dev/full", "w") as full:
             self.expect(5, "check", self.scene(STANDING), "--json", capture_output=False, stdout=full)
@@ -132,6 +164,57 @@ class Run(ProgramTest):
         done = self.expect(0, "run", self.scene(STANDING), "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
         self.assertEqual(self.files(), ["scene.json"])
+
+
+class StandardStreams(ProgramTest):
+    """What happens to people's messages must not happen to data."""
+
+    def run_states(self, **options):
+        self.expect(0, "run", self.scene(FALLING), "--fps", "3000", "--states", "s.csv", "--step", "1", **options)
+        self.assertTrue(self.content("s.csv").startswith("t,body"), self.content("s.csv")[:80])
+
+    def test_messages_that_cannot_be_written_are_lost_and_no_more(self):
+        with open("/dev/full", "w") as full:
+            self.run_states(capture_output=False, stderr=full)
+            self.expect(2, "check", "nosuch", capture_output=False, stderr=full)
+        reader, writer = os.pipe()
+        os.close(reader)
+        self.run_states(capture_output=False, stderr=writer)
+        os.close(writer)
+
+    def test_closed_streams_do_not_end_up_in_files(self):
+        for closed in ((2,), (0, 1, 2)):
+            self.run_states(capture_output=False, preexec_fn=lambda: [os.close(stream) for stream in closed])
+        self.expect(2, "check", "nosuch", capture_output=False, preexec_fn=lambda: os.close(2))
+        self.expect(5, "check", self.scene(STANDING), capture_output=False, preexec_fn=lambda: os.close(1))
+
+    def test_a_reader_that_has_enough_hears_no_complaint(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = self.call("run", self.scene(FLYING), "--states", "-", capture_output=False, stdout=writer, stderr=subprocess.PIPE)
+        os.close(writer)
+        self.assertEqual((done.returncode, done.stderr), (128 + signal.SIGPIPE, ""))
+
+    def test_help_that_cannot_be_written_is_an_output_error(self):
+        with open("/dev/full", "w") as full:
+            for arguments in (("--help",), ("--version",), ("run", "--help")):
+                self.expect(5, *arguments, capture_output=False, stdout=full)
+
+
+class Causes(ProgramTest):
+    """One cause has one code, whatever the command."""
+
+    def test_a_drawing_library_that_is_missing(self):
+        # An empty file of its name before all others.
+        os.mkdir(self.path("lib"))
+        with open(self.path("lib/libOSMesa.so.8"), "w"):
+            pass
+        missing = {**os.environ, "LD_LIBRARY_PATH": self.path("lib")}
+        scene = self.scene(STANDING)
+        self.expect(0, "figure", scene, "-o", "f.png", "--size", "64x64")
+        for arguments in (("figure", scene, "-o", "g.png"), ("run", scene, "-o", "f/"), ("reproduce", "f.png")):
+            with self.subTest(arguments):
+                self.assertIn("OSMesa", self.expect(5, *arguments, env=missing).stderr)
 
 
 class Listing(ProgramTest):

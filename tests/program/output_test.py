@@ -169,6 +169,11 @@ class Unwritable(ProgramTest):
         self.expect(5, "run", self.scene(FLYING), "--states", "s.csv", "--fps", "1000", preexec_fn=limit)
         self.assertEqual(self.content("s.csv"), "precious")
 
+    def test_a_film_is_not_a_folder(self):
+        os.mkdir(self.path("d.mp4"))
+        self.assertIn("is a folder", self.expect(5, "run", self.scene(FLYING), "-o", "d.mp4", *SMALL).stderr)
+        self.assertEqual(self.files("d.mp4"), [])
+
     def test_devices_are_written_to_and_not_replaced(self):
         self.expect(0, "run", self.scene(FLYING), "--states", "/dev/null", "--summary", "/dev/null")
         self.assertFalse(os.path.isfile("/dev/null"))
@@ -186,6 +191,20 @@ class Figure(ProgramTest):
         self.assertEqual(png_size(self.path("f.png")), (160, 90))
         self.assertEqual(png_texts(self.path("f.png"))["Simulated time"], "0.25")
         self.assertEqual(self.files(), ["f.png", "scene.json"])
+
+    def test_standard_output_takes_a_picture(self):
+        self.expect(0, "figure", self.scene(FLYING), "-o", "f.png", *SMALL)
+        done = self.expect(0, "figure", self.scene(FLYING), "-o", "-", *SMALL, text=False)
+        with open(self.path("f.png"), "rb") as file:
+            self.assertEqual(done.stdout, file.read())
+
+    def test_endings_may_be_in_capitals(self):
+        self.expect(0, "figure", self.scene(FLYING), "-o", "F.PNG", *SMALL)
+        png_chunks(self.path("F.PNG"))
+        self.expect(0, "figure", self.scene(FLYING), "-o", "F.Svg", *SMALL)
+        self.assertIn("<svg", self.content("F.Svg"))
+        self.expect(0, "run", self.scene(FLYING), "--until", "0.1", "-o", "F.MP4", "-o", "F.ApnG", *SMALL)
+        self.assertEqual(self.files(), ["F.ApnG", "F.MP4", "F.PNG", "F.Svg", "scene.json"])
 
     def test_other_formats_are_not_there(self):
         for name in ("f.jpg", "f", "f.eps"):

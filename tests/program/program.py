@@ -37,6 +37,8 @@ velocity = [1.0, 0.0]
 
 
 class ProgramTest(unittest.TestCase):
+    program = PROGRAM
+
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="wuerfel-test-")
         self.addCleanup(shutil.rmtree, self.folder)
@@ -61,7 +63,7 @@ class ProgramTest(unittest.TestCase):
         """The finished process; text output unless options say otherwise."""
         settings = {"capture_output": True, "text": True, "cwd": self.folder, "timeout": 120}
         settings.update(options)
-        return subprocess.run([PROGRAM, *arguments], **settings)
+        return subprocess.run([self.program, *arguments], **settings)
 
     def expect(self, code, *arguments, **options):
         """Calls and fails unless the exit code is `code`."""

@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import subprocess
 
 from program import FALLING, FLYING, FLYING_TOML, LANDING, STANDING, ProgramTest, main
 
@@ -9,7 +10,7 @@ from program import FALLING, FLYING, FLYING_TOML, LANDING, STANDING, ProgramTest
 class Summary(ProgramTest):
     def test_the_keys_are_those_of_the_contract(self):
         s = self.summary(LANDING, "--sample", "0")
-        self.assertEqual(list(s), ["version", "scene", "settings", "t_end", "samples", "events", "audit", "outcome", "cost"])
+        self.assertEqual(list(s), ["version", "scene", "settings", "t_end", "samples", "events", "audit", "notes", "outcome", "cost"])
         self.assertEqual(set(s["scene"]), {"title", "hash"})
         self.assertEqual(set(s["settings"]), {"integrator", "formulation", "solver", "tolerance", "step"})
         self.assertEqual(set(s["audit"]), {"max_penetration", "max_rod_error", "max_kkt_residual", "unresolved", "searches_given_up", "wedged", "energy"})
@@ -85,17 +86,79 @@ class Streams(ProgramTest):
             done = self.expect(0, "run", "-", "--json", input=text)
             self.assertEqual(json.loads(done.stdout)["scene"]["title"], "flying")
 
-    def test_data_goes_to_stdout_and_notes_to_stderr(self):
-        done = self.expect(0, "run", self.scene(FLYING), "--json")
-        json.loads(done.stdout)
-        self.assertNotEqual(done.stderr, "")
-        self.assertEqual(self.expect(0, "run", self.scene(FLYING), "--json", "--quiet").stderr, "")
+    def test_data_goes_to_stdout_and_notes_to_stderr_and_into_the_summary(self):
+        for quiet in ((), ("--quiet",)):
+            done = self.expect(0, "run", self.scene(FLYING), "--json", "--fps", "30", *quiet)
+            self.assertEqual(json.loads(done.stdout)["notes"], ["--fps does nothing without -o, --states or --forces"])
+            self.assertEqual("--fps does nothing" in done.stderr, not quiet)
+
+    def test_nothing_to_note_is_an_empty_list(self):
+        self.assertEqual(self.summary(FLYING)["notes"], [])
+
+    def test_options_that_do_nothing_are_noted(self):
+        for arguments, words in ((("--size", "64x64"), "--size does nothing without -o"),
+                                 (("--step", "0.01"), "--step does nothing with --integrator auto"),
+                                 (("--integrator", "moreau", "--tolerance", "1e-6"), "--tolerance does nothing"),
+                                 (("--formulation", "points"), "between events"),
+                                 (("-o", "f/", "--rod-scale", "2"), "without the layer rod-forces"),
+                                 (("-o", "f.apng", "--encoder", "libpng"), "without a folder"),
+                                 (("-o", "f.mp4", "--size", "65x64"), "f.mp4 is 66x64"),
+                                 (("-o", "f.mp4", "--theme", "transparent"), "no transparency")):
+            with self.subTest(arguments):
+                notes = self.summary(FLYING, "--until", "0.05", *arguments)["notes"]
+                self.assertTrue(any(words in note for note in notes), notes)
 
     def test_the_summary_goes_to_a_file_too(self):
         s = self.summary(FLYING, "--summary", "s.json")
         with open(self.path("s.json")) as file:
             self.assertEqual(json.load(file), s)
         self.assertEqual(self.expect(0, "run", "scene.json", "--summary", "-").stdout[0], "{")
+
+
+class SeveralScenes(ProgramTest):
+    def test_each_is_answered_on_a_line_in_order(self):
+        files = [self.scene(scene, f"{k}.json") for k, scene in enumerate((STANDING, FALLING, FLYING))]
+        lines = self.expect(1, "check", *files, "--json").stdout.splitlines()
+        self.assertEqual([json.loads(line)["verdict"] for line in lines], ["stands", "falls", "moves"])
+        lines = self.expect(0, "run", *files, "--json", "--until", "0.01").stdout.splitlines()
+        self.assertEqual([json.loads(line)["scene"]["title"] for line in lines], ["standing", "falling", "flying"])
+
+    def test_standard_input_may_have_one_json_scene_a_line(self):
+        text = "\n".join(json.dumps(scene) for scene in (STANDING, FALLING)) + "\n\n"
+        lines = self.expect(1, "check", "-", "--json", input=text).stdout.splitlines()
+        self.assertEqual([json.loads(line)["verdict"] for line in lines], ["stands", "falls"])
+        lines = self.expect(1, "check", "-", input=text).stdout.splitlines()
+        self.assertEqual(lines, ["standard input, scene 1: stands", "standard input, scene 2: falls"])
+
+    def test_a_document_of_many_lines_is_one_scene(self):
+        self.assertEqual(self.expect(0, "check", "-", input=json.dumps(STANDING, indent=1)).stdout.split()[0], "stands")
+        done = self.expect(2, "check", "-", input="\n\nversion = 1\nsize = 1\n")
+        self.assertIn("standard input:4:", done.stderr)  # lines are counted from the first
+
+    def test_what_fails_is_an_error_of_its_own(self):
+        text = "\n".join((json.dumps(STANDING), '{"version": 1, "cube": []}', "{", json.dumps(FALLING)))
+        done = self.expect(2, "check", "-", "--json", input=text)
+        answers = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([list(answer)[0] for answer in answers], ["verdict", "error", "error", "verdict"])
+        self.assertIn("scene 2", answers[1]["error"])
+        answers = self.expect(2, "check", self.scene(STANDING), "nowhere.toml", self.scene(STANDING), "--json").stdout
+        self.assertEqual(len(answers.splitlines()), 3)
+
+    def test_overrides_hold_for_all(self):
+        text = "\n".join([json.dumps(FALLING)] * 2)
+        lines = self.expect(0, "check", "-", "--set", "cube.b.position=[0.4,1.5]", input=text).stdout.splitlines()
+        self.assertTrue(all(line.endswith(": stands") for line in lines), lines)
+
+    def test_files_are_for_one_scene(self):
+        self.expect(2, "run", self.scene(FLYING), self.scene(STANDING, "b.json"), "--states", "s.csv")
+        self.assertEqual(self.files(), ["b.json", "scene.json"])
+
+    def test_a_scene_is_answered_before_the_next_is_there(self):
+        process = subprocess.Popen([self.program, "check", "-", "--json"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        process.stdin.write((json.dumps(STANDING) + "\n") * 2)
+        process.stdin.flush()
+        self.assertEqual(json.loads(process.stdout.readline())["verdict"], "stands")
+        process.communicate()
 
 
 class Tables(ProgramTest):

@@ -6,24 +6,11 @@
 
 #include "core/time/simulation.h"
 #include "tests/support/bin_scene.h"
+#include "tests/support/parameter_names.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
-
-SceneCube cube(const std::string& name, const Vec2& position, double size = 1.0) {
-  SceneCube c;
-  c.name = name;
-  c.position = position;
-  c.size = {size, size};
-  return c;
-}
-
-Scene with_floor(std::vector<SceneCube> cubes) {
-  Scene scene;
-  scene.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY(), {}});
-  scene.cubes = std::move(cubes);
-  return scene;
-}
 
 /// Runs to `t` in looks and checks what must hold at each.
 void run_and_check(const Scene& scene, double t, double size = 1.0, MotionSettings settings = {}) {
@@ -44,7 +31,7 @@ void run_and_check(const Scene& scene, double t, double size = 1.0, MotionSettin
 }
 
 TEST(Gallery, ACornerFallsOnACorner) {
-  Scene scene = with_floor({cube("low", {0.0, 0.5}), cube("high", {1.0, 2.5})});
+  Scene scene = on_floor({cube("low", {0.0, 0.5}), cube("high", {1.0, 2.5})});
   run_and_check(scene, 2.0);
   scene.cubes[1].angle = 0.7853981633974483;
   scene.cubes[1].position.x() = 0.5;
@@ -52,13 +39,13 @@ TEST(Gallery, ACornerFallsOnACorner) {
 }
 
 TEST(Gallery, AnEdgeSlidesPastTheEndOfAnEdge) {
-  Scene scene = with_floor({cube("low", {0.0, 0.5}), cube("high", {0.0, 1.5})});
+  Scene scene = on_floor({cube("low", {0.0, 0.5}), cube("high", {0.0, 1.5})});
   scene.cubes[1].velocity = {1.5, 0.0};
   run_and_check(scene, 2.5);
 }
 
 TEST(Gallery, AGridFallsAsOne) {
-  Scene scene = with_floor({});
+  Scene scene = on_floor({});
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j)
       scene.cubes.push_back(cube("c" + std::to_string(4 * i + j), {1.0 * i, 1.5 + j}));
@@ -68,7 +55,7 @@ TEST(Gallery, AGridFallsAsOne) {
 
 // What opens slowly and is closed at once must not push its neighbours into each other.
 TEST(Gallery, ACubeOfARowOfHairsGapsIsStruck) {
-  Scene scene = with_floor({});
+  Scene scene = on_floor({});
   for (int i = 0; i < 3; ++i)
     scene.cubes.push_back(cube("c" + std::to_string(i), {1.000001 * i, 0.5}));
   scene.cubes[0].velocity = {0.4877030254080905, 1.5077289536308882};
@@ -76,7 +63,7 @@ TEST(Gallery, ACubeOfARowOfHairsGapsIsStruck) {
 }
 
 TEST(Gallery, AGridIsStruckAtItsCorner) {
-  Scene scene = with_floor({});
+  Scene scene = on_floor({});
   for (int j = 0; j < 2; ++j) {
     for (int i = 0; i < 4; ++i)
       scene.cubes.push_back(cube("c" + std::to_string(4 * j + i), {1.01 * i, 0.5 + 1.01 * j}));
@@ -86,7 +73,7 @@ TEST(Gallery, AGridIsStruckAtItsCorner) {
 }
 
 TEST(Gallery, AnExactlyFittingBinHoldsItsSquares) {
-  Scene scene = with_floor({});
+  Scene scene = on_floor({});
   scene.fixed.push_back({"left", {1.0, 6.0}, {-0.5, 3.0}, 0.0, {}});
   scene.fixed.push_back({"right", {1.0, 6.0}, {3.5, 3.0}, 0.0, {}});
   for (int i = 0; i < 9; ++i) {
@@ -100,8 +87,8 @@ class HairsGap : public testing::TestWithParam<double> {};
 
 TEST_P(HairsGap, ACubeDropsFlatOnTwoOthers) {
   const double gap = GetParam();
-  Scene scene = with_floor({cube("left", {-0.5 - gap / 2, 0.5}),
-                            cube("right", {0.5 + gap / 2, 0.5}), cube("top", {0.0, 1.5 + gap})});
+  Scene scene = on_floor({cube("left", {-0.5 - gap / 2, 0.5}), cube("right", {0.5 + gap / 2, 0.5}),
+                          cube("top", {0.0, 1.5 + gap})});
   run_and_check(scene, 1.0);
   scene.cubes[2].position.y() = 2.0;
   run_and_check(scene, 1.0);
@@ -110,10 +97,10 @@ TEST_P(HairsGap, ACubeDropsFlatOnTwoOthers) {
 INSTANTIATE_TEST_SUITE_P(Gaps,
                          HairsGap,
                          testing::Values(0.0, 1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-6),
-                         [](const auto& test) { return "case" + std::to_string(test.index); });
+                         name_of_number<double>);
 
 TEST(Gallery, ASquareThatSpinsHitsACorner) {
-  Scene scene = with_floor({cube("low", {0.0, 0.5}), cube("spinning", {0.9, 2.3})});
+  Scene scene = on_floor({cube("low", {0.0, 0.5}), cube("spinning", {0.9, 2.3})});
   scene.cubes[1].spin = 1000.0;
   run_and_check(scene, 1.0);
 }
@@ -123,7 +110,7 @@ TEST(Gallery, NothingTunnelsAtTwoHundredMetresPerSecond) {
     for (const Integrator integrator : {Integrator::automatic, Integrator::rattle}) {
       Scene scene;
       scene.gravity = Vec2::Zero();
-      scene.cubes.push_back(cube("bullet", {0.0, 0.0}, 0.1));
+      scene.cubes.push_back(sized_cube("bullet", {0.0, 0.0}, {0.1, 0.1}));
       scene.cubes[0].velocity = {200.0, 0.0};
       if (fixed) {
         scene.fixed.push_back({"wall", {0.02, 5.0}, {5.0, 0.0}, 0.0, {}});
@@ -152,8 +139,9 @@ Scene some_motion(double scale = 1.0, const Vec2& shift = Vec2::Zero(), bool mir
   };
   scene.planes.push_back({"floor", shift, Vec2::UnitY(), {}});
   for (int i = 0; i < 3; ++i)
-    scene.cubes.push_back(cube("c" + std::to_string(i), at(0.375 * i, 0.5 + i), scale));
-  scene.cubes.push_back(cube("drop", at(3.0, 2.0), scale));
+    scene.cubes.push_back(
+        sized_cube("c" + std::to_string(i), at(0.375 * i, 0.5 + i), {scale, scale}));
+  scene.cubes.push_back(sized_cube("drop", at(3.0, 2.0), {scale, scale}));
   scene.cubes[3].angle = m * 0.25;
   return scene;
 }
@@ -251,7 +239,7 @@ TEST_P(Bin, OfRandomSquaresNeverOverlaps) {
   run_and_check(bin_scene(12, 4.0, 14.0, GetParam()), 3.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Bin, testing::Range(1, 9));
+INSTANTIATE_TEST_SUITE_P(Seeds, Bin, testing::Range(1, 9), name_of_number<int>);
 
 }  // namespace
 }  // namespace wuerfel::test

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/bench_clock.h"
+#include "core/model/system.h"
 #include "core/time/simulation.h"
+#include "tests/benchmark/bench/clock.h"
 #include "tests/benchmark/peers/deepest_overlap.h"
 
 namespace wuerfel::bench {
@@ -29,7 +30,8 @@ void run_for_figures(const Peer::Maker& make, const BenchScene& scene, double st
   if (scene.exact.empty()) return;
   row.state_error = state_error(scene.scene, end, scene.exact);
   row.place_error = place_error(scene.scene, end, scene.exact);
-  row.energy_drift = state_energy(scene.scene, end) - state_energy(scene.scene, scene.exact);
+  const System system = make_system(scene.scene);
+  row.energy_drift = energy(system, end) - energy(system, scene.exact);
   if (!scene.rests) return;
   for (std::size_t i = 0; i < end.size(); ++i)
     if (!((end[i].position - scene.exact[i].position).norm() <= collapsed))
@@ -50,10 +52,10 @@ BenchRow measure_peer(const Peer& peer, const BenchScene& scene, double step, do
   row.bodies = scene.scene.cubes.size();
   row.engine = peer.engine;
   row.method = peer.method;
-  row.simulated = scene.end;
+  row.simulated = scene.scene.duration;
   // The last step ends exactly at the end of the scene.
-  row.steps = std::max(1L, std::lround(scene.end / step));
-  row.step = scene.end / static_cast<double>(row.steps);
+  row.steps = std::max(1L, std::lround(scene.scene.duration / step));
+  row.step = scene.scene.duration / static_cast<double>(row.steps);
   try {
     const Peer::Maker make = peer.prepare(scene.scene, *row.step);
     run_for_figures(make, scene, *row.step, row);

@@ -1,8 +1,8 @@
-/// Measures a peer as `wuerfel bench` measures us: same scenes, same clock, same errors.
+/// Measures a peer as `bench` measures us: same scenes, same clock, same errors.
 #pragma once
 
-#include "app/bench_row.h"
-#include "app/bench_scenes.h"
+#include "tests/benchmark/bench/row.h"
+#include "tests/benchmark/bench/scenes.h"
 #include "tests/benchmark/peers/peer.h"
 
 namespace wuerfel::bench {

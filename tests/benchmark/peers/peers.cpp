@@ -12,13 +12,13 @@
 
 #include <fmt/core.h>
 
-#include "app/argument.h"
-#include "app/bench_measure.h"
-#include "app/bench_plot.h"
-#include "app/exit_code.h"
-#include "app/progress.h"
-#include "app/text_output.h"
+#include "app/cli/argument.h"
+#include "app/cli/exit_code.h"
+#include "app/cli/progress.h"
+#include "app/output/text_output.h"
 #include "core/time/simulation.h"
+#include "tests/benchmark/bench/measure.h"
+#include "tests/benchmark/bench/plot.h"
 #include "tests/benchmark/peers/deepest_overlap.h"
 #include "tests/benchmark/peers/measure_peer.h"
 #include "tests/benchmark/peers/ratios.h"
@@ -91,7 +91,7 @@ std::vector<double> steps_for(const BenchScene& scene) {
 BenchRow measure_ours(const BenchScene& scene, const MotionSettings& settings, double budget) {
   BenchRow row = measure(scene, settings, budget);
   Simulation simulation(scene.scene, settings);
-  for (int k = 1; k <= static_cast<int>(60.0 * scene.end); ++k) {
+  for (int k = 1; k <= static_cast<int>(60.0 * scene.scene.duration); ++k) {
     simulation.advance_to(k / 60.0);
     row.overlap = std::max(*row.overlap, deepest_overlap(scene.scene, simulation.states()));
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench_row.h"
+#include "tests/benchmark/bench/row.h"
 
 namespace wuerfel::bench {
 

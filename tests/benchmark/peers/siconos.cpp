@@ -23,8 +23,8 @@
 #include <unistd.h>
 #include <vector>
 
-#include "app/bench_clock.h"
 #include "core/qp/qp_solver.h"
+#include "tests/benchmark/bench/clock.h"
 #include "tests/support/qp_zoo.h"
 
 namespace {

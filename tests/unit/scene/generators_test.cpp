@@ -8,7 +8,7 @@
 #include "core/scene/overlap.h"
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// Gaps between touching bodies: rounding of places of a few metres. A misplaced body gives 1e-2
@@ -209,4 +209,4 @@ TEST(CounterRandom, UnitNumbersFillTheUnitInterval) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -8,7 +8,7 @@
 #include "core/scene/overlap.h"
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr int mutations_per_scene = 400;
@@ -145,4 +145,4 @@ INSTANTIATE_TEST_SUITE_P(Assets,
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

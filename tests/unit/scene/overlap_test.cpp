@@ -9,7 +9,7 @@
 #include "core/geometry/box.h"
 #include "core/scene/counter_random.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 SceneCube cube_at(double x, double y, double angle = 0.0, const Vec2& size = {1.0, 1.0}) {
@@ -142,4 +142,4 @@ TEST(Overlap, AHeapInOnePlaceIsFoundAtOnce) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

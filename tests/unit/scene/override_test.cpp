@@ -5,7 +5,7 @@
 
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 const char* const text = R"(
@@ -122,4 +122,4 @@ TEST(Override, MustBeKeyAndValueOnOneLine) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

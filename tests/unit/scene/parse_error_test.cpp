@@ -5,7 +5,7 @@
 
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// A cube to which a third line adds the mistake.
@@ -333,4 +333,4 @@ TEST(ParseError, PilesThatDoNotFitSayHowFarTheyCame) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -173,4 +173,4 @@ TEST(Parse, EveryColourOfThePaletteIsKnown) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

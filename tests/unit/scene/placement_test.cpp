@@ -6,9 +6,10 @@
 
 #include "core/geometry/box.h"
 #include "core/scene/frame.h"
+#include "tests/support/parameter_names.h"
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -53,7 +54,8 @@ TEST_P(PlacementOnTiltedPlanes, TheCubeTakesTheAngleOfTheFaceAndTouchesWithItsLo
 // Up to a quarter turn the top face of `a` is the one away from the plane.
 INSTANTIATE_TEST_SUITE_P(Tilts,
                          PlacementOnTiltedPlanes,
-                         ::testing::Values(-0.7, -0.1, 0.0, 0.2, 0.5, 0.75));
+                         ::testing::Values(-0.7, -0.1, 0.0, 0.2, 0.5, 0.75),
+                         name_of_number<double>);
 
 TEST(Placement, OnACeilingPlaneTheCubeHangsUpsideDown) {
   const Scene scene = parse_scene(
@@ -127,4 +129,4 @@ TEST(Placement, LongChainsDoNotRecurse) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -9,7 +9,7 @@
 #include "core/scene/overlap.h"
 #include "tests/unit/scene/scene_texts.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 class ShippedScene : public ::testing::TestWithParam<std::string> {
@@ -132,4 +132,4 @@ TEST(NormalisedScene, UnitNormalsOfAnyDirectionStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 std::string error_of(const std::string& text,
@@ -56,4 +56,4 @@ SceneCube cube_named(const Scene& scene, const std::string& name) {
   return {};
 }
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -6,7 +6,7 @@
 
 #include "core/scene/scene_parser.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 
 /// Names of the files in assets/scenes without folder and ".toml", sorted.
 std::vector<std::string> shipped_scene_names();
@@ -22,4 +22,4 @@ std::string json_error(const std::string& text, const std::vector<std::string>& 
 /// The cube called `name`; the test fails and a cube without name comes back where there is none.
 SceneCube cube_named(const Scene& scene, const std::string& name);
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

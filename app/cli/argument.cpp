@@ -1,0 +1,103 @@
+#include "app/cli/argument.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "app/cli/exit_code.h"
+
+namespace wuerfel {
+
+namespace {
+
+constexpr int smallest_picture = 16;
+constexpr int largest_picture = 16384;
+
+bool read_whole(std::string_view text, auto& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end;
+}
+
+}  // namespace
+
+double parse_number(std::string_view option, std::string_view text) {
+  double value = 0.0;
+  if (!read_whole(text, value) || !std::isfinite(value)) {
+    throw UsageError(fmt::format("{}: '{}' is not a number", option, text));
+  }
+  return value;
+}
+
+double parse_positive(std::string_view option, std::string_view text) {
+  const double value = parse_number(option, text);
+  if (value <= 0.0) throw UsageError(fmt::format("{}: {} is not greater than 0", option, text));
+  return value;
+}
+
+double parse_time(std::string_view option, std::string_view text) {
+  const double value = parse_number(option, text);
+  if (value < 0.0) throw UsageError(fmt::format("{}: {} is before the start at 0", option, text));
+  return value;
+}
+
+std::vector<double> parse_numbers(std::string_view option, std::string_view text) {
+  std::vector<double> numbers;
+  for (const std::string& part : split_list(text))
+    numbers.push_back(parse_number(option, part));
+  return numbers;
+}
+
+PixelSize parse_pixel_size(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  PixelSize size;
+  if (cross == std::string_view::npos || !read_whole(text.substr(0, cross), size.width)
+      || !read_whole(text.substr(cross + 1), size.height)) {
+    throw UsageError(fmt::format("--size: '{}' is not WIDTHxHEIGHT, as in 1280x720", text));
+  }
+  for (const int side : {size.width, size.height}) {
+    if (side < smallest_picture || side > largest_picture) {
+      throw UsageError(fmt::format("--size: {} pixels is not between {} and {}", side,
+                                   smallest_picture, largest_picture));
+    }
+  }
+  return size;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+bool has_suffix(std::string_view name, std::string_view suffix) {
+  return lower_case(name).ends_with(suffix);
+}
+
+void require_no_stdout(std::string_view option, std::string_view file) {
+  if (file == "-")
+    throw UsageError(fmt::format("{}: standard output carries the answer: name a file", option));
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    parts.emplace_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::string join_choices(const std::vector<std::string>& choices) {
+  std::string text;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) text += i + 1 == choices.size() ? " or " : ", ";
+    text += choices[i];
+  }
+  return text;
+}
+
+}  // namespace wuerfel

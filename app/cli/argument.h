@@ -1,0 +1,45 @@
+/// Values on the command line: strict readers that refuse what they do not understand.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wuerfel {
+
+struct PixelSize {
+  int width = 1280;
+  int height = 720;
+};
+
+/// A finite number that fills the whole text. `option` is named in the UsageError otherwise.
+double parse_number(std::string_view option, std::string_view text);
+
+/// A number > 0.
+double parse_positive(std::string_view option, std::string_view text);
+
+/// A number >= 0.
+double parse_time(std::string_view option, std::string_view text);
+
+/// Numbers with commas between them, at least one.
+std::vector<double> parse_numbers(std::string_view option, std::string_view text);
+
+/// "1280x720": from 16 to 16384 pixels each way.
+PixelSize parse_pixel_size(std::string_view text);
+
+/// In small letters, as far as it is ASCII.
+std::string lower_case(std::string_view text);
+
+/// Whether a file name ends so, in letters of any size; `suffix` in small ones, as in ".png".
+bool has_suffix(std::string_view name, std::string_view suffix);
+
+/// Throws UsageError where `file` is standard output, which carries something else.
+void require_no_stdout(std::string_view option, std::string_view file);
+
+/// Texts with commas between them.
+std::vector<std::string> split_list(std::string_view text);
+
+/// "a, b or c".
+std::string join_choices(const std::vector<std::string>& choices);
+
+}  // namespace wuerfel

@@ -1,0 +1,144 @@
+#include "app/cli/option_groups.h"
+
+#include <cmath>
+
+namespace wuerfel {
+
+using Text = std::string;
+
+namespace {
+
+int parse_difference(const Text& text) {
+  const double value = parse_number("--max-difference", text);
+  if (value < 0.0 || value > 255.0 || value != std::floor(value))
+    throw UsageError(fmt::format("--max-difference: '{}' is no whole number of 0 to 255", text));
+  return static_cast<int>(value);
+}
+
+double parse_share(const Text& text) {
+  const double value = parse_number("--max-share", text);
+  if (value < 0.0 || value > 1.0)
+    throw UsageError(fmt::format("--max-share: {} is not between 0 and 1", text));
+  return value;
+}
+
+double parse_scale(const Text& text) {
+  constexpr double largest = 100.0;
+  const double value = parse_positive("--scale", text);
+  if (value > largest) throw UsageError(fmt::format("--scale: {} is more than {}", text, largest));
+  return value;
+}
+
+constexpr const char* scene_meaning =
+    "scene file (TOML or JSON), - for standard input, or a shipped scene";
+
+void add_overrides(Options& options, std::vector<Text>& overrides) {
+  options.value("--set", "KEY=VALUE",
+                "override a key of the scene, as in cube.a.angle=0.1 (repeatable)",
+                [&overrides](const Text& text) { overrides.push_back(text); });
+}
+
+// Less than doubles can hold takes for ever.
+double parse_tolerance(const Text& text) {
+  constexpr double smallest = 1e-15;
+  const double value = parse_positive("--tolerance", text);
+  if (value < smallest)
+    throw UsageError(
+        fmt::format("--tolerance: {} is below {}, which is all that numbers of 16 digits can hold",
+                    text, smallest));
+  return value;
+}
+
+}  // namespace
+
+void add_scene(Options& options, SceneChoice& scene) {
+  options.argument("SCENE", scene_meaning, scene.source);
+  add_overrides(options, scene.overrides);
+}
+
+void add_scenes(Options& options, std::vector<Text>& sources, std::vector<Text>& overrides) {
+  options.arguments("SCENE",
+                    Text(scene_meaning) + "; several, or - with one JSON scene a line, one by one",
+                    sources);
+  add_overrides(options, overrides);
+}
+
+void add_solver_options(Options& options, MotionSettings& motion) {
+  add_choice(options, "--formulation", "unknowns of the program", motion.formulation);
+  add_choice(options, "--solver", "who solves the program", motion.solver);
+}
+
+void add_motion_options(Options& options, MotionSettings& motion) {
+  add_choice(options, "--integrator", "how time is stepped", motion.integrator);
+  add_solver_options(options, motion);
+  options.single("--tolerance", "TOL", "error budget of states, at least 1e-15 [1e-8]",
+                 [&motion](const Text& text) { motion.tolerance = parse_tolerance(text); });
+  options.single("--step", "DT",
+                 "time step of rattle (at most), moreau, symplectic and euler in s [1/240]",
+                 [&motion](const Text& text) { motion.step = parse_positive("--step", text); });
+}
+
+void add_picture_options(Options& options, PictureOptions& picture) {
+  options.single("--size", "WxH", "pixels [1280x720]",
+                 [&picture](const Text& text) { picture.size = parse_pixel_size(text); });
+  const Text layers = fmt::format("what is drawn: any of {} [{}]", join_choices(choices<Layer>()),
+                                  to_string(picture.layers));
+  options.single("--layers", "A,B,..", layers,
+                 [&picture](const Text& text) { picture.layers = parse_layers(text); });
+  const Text theme =
+      fmt::format("colours: {} [{}]", join_choices(choices<Theme>()), to_string(picture.theme));
+  options.single("--theme", "NAME", theme,
+                 [&picture](const Text& text) { picture.theme = parse_theme(text); });
+  options.single(
+      "--force-scale", "S[,L,F]",
+      "length of force arrows in m per N, of the longest in m, and the smallest force shown "
+      "in N [fits the run]",
+      [&picture](const Text& text) { picture.force_scale = parse_force_scale(text); });
+  options.single("--velocity-scale", "S", "length of velocity arrows in m per m/s [fits the run]",
+                 [&picture](const Text& text) {
+                   picture.velocity_scale = parse_positive("--velocity-scale", text);
+                 });
+  options.single(
+      "--rod-scale", "N", "force in N at which rods are drawn thickest [fits the run]",
+      [&picture](const Text& text) { picture.rod_scale = parse_positive("--rod-scale", text); });
+  options.single(
+      "--view", "fit|X,Y,WIDTH|follow:NAME",
+      "part of the world: all of the motion, centre and width in m, or around a body [fit]",
+      [&picture](const Text& text) {
+        const double zoom = picture.camera.zoom;
+        picture.camera = parse_camera(text);
+        picture.camera.zoom = zoom;
+      });
+  options.single("--zoom", "Z", "show the view Z times larger [1]", [&picture](const Text& text) {
+    picture.camera.zoom = parse_positive("--zoom", text);
+  });
+  options.single("--scale", "S", "size of text, lines and arrow heads, 2 for a HiDPI screen [1]",
+                 [&picture](const Text& text) { picture.scale = parse_scale(text); });
+}
+
+void add_encoder_option(Options& options, PngEncoder& encoder) {
+  add_choice(options, "--encoder", "who compresses PNG files (their pixels are the same)", encoder);
+}
+
+void add_rate_options(Options& options, FrameRate& rate) {
+  options.single("--fps", "F", "frames per second of the film [60]",
+                 [&rate](const Text& text) { rate.fps = parse_positive("--fps", text); });
+  options.single("--speed", "X", "simulated time per film time, 0.1 is slow motion [1]",
+                 [&rate](const Text& text) { rate.speed = parse_positive("--speed", text); });
+}
+
+void add_strip_option(Options& options, std::optional<StripGrid>& strip) {
+  options.single("--strip", "COLUMNSxROWS", "several instants in one picture, as 4x2",
+                 [&strip](const Text& text) { strip = parse_strip(text); });
+}
+
+void add_compare_limits(Options& options, CompareLimits& limits) {
+  options.single(
+      "--max-difference", "N",
+      "difference of a channel (0 to 255) that still counts as the same [4]",
+      [&limits](const Text& text) { limits.largest_difference = parse_difference(text); });
+  options.single("--max-share", "S", "share of the pixels (0 to 1) that may differ so [0.05]",
+                 [&limits](const Text& text) { limits.largest_share = parse_share(text); });
+}
+
+}  // namespace wuerfel

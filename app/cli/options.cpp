@@ -1,0 +1,119 @@
+#include "app/cli/options.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include "app/cli/exit_code.h"
+#include "core/scene/suggestion.h"
+#include "render/error.h"
+
+namespace wuerfel {
+
+namespace {
+
+using Text = std::string;
+
+CLI::Option* add_value(
+    CLI::App& app, const Text& names, const Text& type, const Text& meaning, Options::Take take) {
+  return app
+      .add_option_function<std::vector<Text>>(
+          names,
+          [take = std::move(take)](const std::vector<Text>& values) {
+            std::ranges::for_each(values, take);
+          },
+          meaning)
+      ->type_name(type)
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+Options::Options(const Text& command, const Text& meaning)
+    : app_(std::make_unique<CLI::App>(meaning, command)) {}
+
+Options::~Options() = default;
+
+void Options::argument(const Text& name, const Text& meaning, Text& value) {
+  app_->add_option(name, value, meaning)->required()->type_name("");
+}
+
+void Options::optional_argument(const Text& name, const Text& meaning, Text& value) {
+  app_->add_option(name, value, meaning)->type_name("");
+}
+
+void Options::arguments(const Text& name, const Text& meaning, std::vector<Text>& values) {
+  app_->add_option(name, values, meaning)->required()->type_name("");
+}
+
+void Options::value(const Text& names, const Text& type, const Text& meaning, Take take) {
+  add_value(*app_, names, type, meaning, std::move(take));
+}
+
+void Options::single(const Text& names, const Text& type, const Text& meaning, Take take) {
+  add_value(*app_, names, type, meaning, std::move(take))->expected(1);
+}
+
+void Options::text(const Text& names, const Text& type, const Text& meaning, Text& value) {
+  app_->add_option(names, value, meaning)->type_name(type);
+}
+
+void Options::required_text(const Text& names, const Text& type, const Text& meaning, Text& value) {
+  app_->add_option(names, value, meaning)->type_name(type)->required();
+}
+
+void Options::flag(const Text& names, const Text& meaning, bool& value) {
+  app_->add_flag(names, value, meaning);
+}
+
+bool Options::parse(std::vector<Text> arguments) {
+  std::ranges::reverse(arguments);  // CLI11 takes them from the end
+  try {
+    app_->parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    return false;
+  } catch (const RenderError& error) {
+    throw UsageError(error.what());
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(fmt::format("{} (see {} --help)", complaint(error.what()), app_->get_name()));
+  }
+  return true;
+}
+
+void Options::parse_line(const Text& line) {
+  try {
+    app_->parse(line, false);
+  } catch (const RenderError& error) {
+    throw UsageError(error.what());
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(complaint(error.what()));
+  }
+}
+
+// What CLI11 did not know tells more than what it missed in its place.
+Text Options::complaint(const Text& otherwise) const {
+  std::vector<Text> names;
+  for (const CLI::Option* option : app_->get_options({})) {
+    for (const Text& name : option->get_lnames())
+      names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::vector<Text> unknown = app_->remaining();
+  const auto dashed = std::ranges::find_if(
+      unknown, [](const Text& text) { return text.size() > 1 && text.starts_with('-'); });
+  if (dashed != unknown.end()) {
+    const Text name = dashed->substr(0, dashed->find('='));
+    return fmt::format("there is no option {}{}", name, suggestion(name, known));
+  }
+  if (!unknown.empty()) return fmt::format("'{}' is one argument too many", unknown.front());
+  return otherwise;
+}
+
+Text Options::help() const { return app_->help(); }
+
+bool Options::given(const Text& name) const { return app_->count(name) > 0; }
+
+}  // namespace wuerfel

@@ -1,0 +1,71 @@
+/// The options of one command: declared one by one, read strictly, told with --help.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace wuerfel {
+
+class Options {
+ public:
+  /// What becomes of the text behind an option. What it does not understand is a UsageError that
+  /// names the option.
+  using Take = std::function<void(const std::string&)>;
+
+  /// `command` as in "wuerfel check"; `meaning` in a few words.
+  Options(const std::string& command, const std::string& meaning);
+  ~Options();
+  Options(const Options&) = delete;
+  Options& operator=(const Options&) = delete;
+
+  /// Arguments without a dash, in the order of their declaration.
+  void argument(const std::string& name, const std::string& meaning, std::string& value);
+  void optional_argument(const std::string& name, const std::string& meaning, std::string& value);
+  /// One or more of them; the last to be declared.
+  void arguments(const std::string& name,
+                 const std::string& meaning,
+                 std::vector<std::string>& values);
+
+  /// `names` as in "-o,--output", `type` as in "FILE". May be given again and again.
+  void value(const std::string& names,
+             const std::string& type,
+             const std::string& meaning,
+             Take take);
+  /// May be given once.
+  void single(const std::string& names,
+              const std::string& type,
+              const std::string& meaning,
+              Take take);
+  void text(const std::string& names,
+            const std::string& type,
+            const std::string& meaning,
+            std::string& value);
+  /// The same, and has to be given.
+  void required_text(const std::string& names,
+                     const std::string& type,
+                     const std::string& meaning,
+                     std::string& value);
+  void flag(const std::string& names, const std::string& meaning, bool& value);
+
+  /// False where help was asked for. Throws UsageError, with a suggestion where an option looks
+  /// misspelt.
+  [[nodiscard]] bool parse(std::vector<std::string> arguments);
+  /// Of a line that is quoted like those of a shell. Throws UsageError.
+  void parse_line(const std::string& line);
+  [[nodiscard]] std::string help() const;
+  /// Whether an option was given.
+  [[nodiscard]] bool given(const std::string& name) const;
+
+ private:
+  [[nodiscard]] std::string complaint(const std::string& otherwise) const;
+
+  std::unique_ptr<CLI::App> app_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,34 @@
+#include "app/cli/stop_signal.h"
+
+namespace wuerfel {
+
+namespace {
+
+// A signal handler can reach nothing but a global.
+volatile std::sig_atomic_t noted_signal =
+    0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+extern "C" void note_signal(int signal) { noted_signal = signal; }
+
+}  // namespace
+
+StopSignal::StopSignal() {
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  for (std::size_t i = 0; i < handled.size(); ++i) {
+    sigaction(handled[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) sigaction(handled[i], &action, nullptr);
+  }
+}
+
+StopSignal::~StopSignal() {
+  for (std::size_t i = 0; i < handled.size(); ++i)
+    sigaction(handled[i], &before_[i], nullptr);
+}
+
+void StopSignal::check() const {
+  if (noted_signal != 0) throw Interrupted{noted_signal};
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,133 @@
+#include "core/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/option_groups.h"
+#include "app/commands/batch.h"
+#include "app/commands/commands.h"
+
+namespace wuerfel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> overrides;
+  MotionSettings motion;
+  bool json = false;
+};
+
+Json check_json(const Scene& scene, const Check& answer) {
+  Json accelerations = Json::object();
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+    const Twist& a = answer.accelerations[i];
+    accelerations[scene.cubes[i].name] = {
+        {"ax", a.linear.x()}, {"ay", a.linear.y()}, {"alpha", a.angular}};
+  }
+  Json contacts = Json::array();
+  for (const ContactForce& contact : answer.contacts) {
+    contacts.push_back({{"on", contact.on},
+                        {"from", contact.from},
+                        {"point", {contact.point.x(), contact.point.y()}},
+                        {"normal", {contact.normal.x(), contact.normal.y()}},
+                        {"force", contact.force},
+                        {"tangential", contact.tangential},
+                        {"unique", contact.unique}});
+  }
+  return {{"verdict", to_string(answer.verdict)},
+          {"accelerations", std::move(accelerations)},
+          {"contacts", std::move(contacts)},
+          {"objective", answer.objective},
+          {"kkt_residual", answer.kkt_residual}};
+}
+
+// Who accelerates most, measured as the verdict is: |a| + side |alpha|.
+std::string fastest_text(const Scene& scene, const Check& answer) {
+  const auto severity = [&](std::size_t i) {
+    const Twist& a = answer.accelerations[i];
+    return a.linear.norm() + scene.cubes[i].size.minCoeff() * std::abs(a.angular);
+  };
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < scene.cubes.size(); ++i) {
+    if (severity(i) > severity(worst)) worst = i;
+  }
+  const Twist& a = answer.accelerations[worst];
+  return fmt::format("largest acceleration: {} with ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
+                     scene.cubes[worst].name, a.linear.x(), a.linear.y(), a.angular);
+}
+
+std::string moving_at_start(const Scene& scene) {
+  std::string names;
+  for (const SceneCube& cube : scene.cubes) {
+    if (!cube.velocity.isZero(0.0) || cube.spin != 0.0)
+      names += (names.empty() ? "" : ", ") + cube.name;
+  }
+  return names;
+}
+
+// For people: the verdict, who accelerates most, and what presses where.
+std::string check_text(const Scene& scene, const Check& answer) {
+  std::string text = fmt::format("{}\n", to_string(answer.verdict));
+  if (answer.verdict == Verdict::falls || answer.verdict == Verdict::undecided)
+    text += fastest_text(scene, answer);
+  if (answer.verdict == Verdict::moves)
+    text += fmt::format("moving at the start: {}\n", moving_at_start(scene));
+  if (!answer.contacts.empty()) {
+    text += fmt::format("\n{:<14} {:<14} {:>10} {:>10} {:>12} {:>12}\n", "on", "from", "x / m",
+                        "y / m", "force / N", "along / N");
+  }
+  for (const ContactForce& contact : answer.contacts) {
+    text += fmt::format("{:<14} {:<14} {:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g}{}\n", contact.on,
+                        contact.from, contact.point.x(), contact.point.y(), contact.force,
+                        contact.tangential, contact.unique ? "" : "  not the only one possible");
+  }
+  return text;
+}
+
+std::string answer_text(const std::string& name,
+                        const Scene& scene,
+                        const Check& answer,
+                        AnswerForm form) {
+  if (form.json) return json_text(check_json(scene, answer), form);
+  if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
+  return check_text(scene, answer);
+}
+
+ExitCode exit_code(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::stands:
+      return ExitCode::fine;
+    case Verdict::falls:
+    case Verdict::moves:
+      return ExitCode::negative;
+    case Verdict::undecided:
+      return ExitCode::undecided;
+  }
+  return ExitCode::internal;
+}
+
+}  // namespace
+
+Action declare_check(Options& options) {
+  auto asked = std::make_shared<CheckOptions>();
+  add_scenes(options, asked->scenes, asked->overrides);
+  options.flag("--json", "print the answer as JSON", asked->json);
+  add_solver_options(options, asked->motion);
+  return [asked](const Stopwatch&) {
+    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+      Notes notes;
+      const Scene scene = parse(text, asked->overrides, notes);
+      const Check answer = check(scene, asked->motion);
+      return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
+    });
+  };
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <memory>
+#include <unistd.h>
+
+#include <fmt/core.h>
+
+#include "app/cli/argument.h"
+#include "app/cli/option_groups.h"
+#include "app/commands/commands.h"
+#include "app/commands/idle_options.h"
+#include "app/film/still.h"
+#include "app/output/accuracy.h"
+#include "app/output/text_output.h"
+
+namespace wuerfel {
+
+namespace {
+
+struct FigureOptions {
+  SceneChoice scene;
+  StillOptions still;           ///< but for the times
+  std::vector<double> times;    ///< s; none: the start, or even times of a strip
+  std::optional<double> until;  ///< s, end of even times; none: the scene's duration
+  std::string output;
+};
+
+constexpr double most_pictures = 1e4;  // of a strip: none is as large
+
+void require_still(const FigureOptions& asked) {
+  const std::string& name = asked.output;
+  if (name == "-" && isatty(STDOUT_FILENO) != 0)
+    throw UsageError("-o: a picture is nothing for a terminal: name a file");
+  if (name != "-" && !has_suffix(name, ".png") && !vector_format(lower_case(name)))
+    throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
+  const auto& strip = asked.still.strip;
+  const double room =
+      strip ? static_cast<double>(strip->columns) * static_cast<double>(strip->rows) : 1.0;
+  if (room > most_pictures)
+    throw UsageError(
+        fmt::format("--strip: {:.0f} pictures are more than {:.0f}", room, most_pictures));
+  if (static_cast<double>(asked.times.size()) > room) {
+    throw UsageError(
+        strip ? fmt::format("-t: {} times do not fit into a strip of {}", asked.times.size(), room)
+              : "-t: several times need a --strip such as 4x2");
+  }
+  if (asked.until && (!strip || !asked.times.empty()))
+    throw UsageError("--until is the end of a --strip whose times are not given");
+}
+
+// One time, or those of a strip: the ones given, else even ones up to the end.
+std::vector<double> times_of(const FigureOptions& asked, const Scene& scene) {
+  const auto& strip = asked.still.strip;
+  if (!strip) return asked.times.empty() ? std::vector<double>{0.0} : asked.times;
+  if (asked.times.empty())
+    return strip_times(strip->columns * strip->rows, asked.until.value_or(scene.duration));
+  std::vector<double> times = asked.times;
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+std::vector<std::uint8_t> encode(const Still& still, const FigureOptions& asked, Font& font) {
+  if (const auto format = vector_format(lower_case(asked.output)))
+    return encode_vector_figure(still.page, *format, font, still.cells);
+  return encode_png(draw_still(still), still.origin, asked.still.picture.encoder);
+}
+
+ExitCode figure(const FigureOptions& asked, const Options& options) {
+  require_still(asked);
+  Notes notes;
+  note_idle_motion_options(options, asked.still.motion, notes);
+  note_idle_picture_options(options, asked.still.picture.layers, notes);
+  if (vector_format(lower_case(asked.output)))
+    note_idle(options, {"--encoder"}, "for .svg and .pdf", notes);
+  const Scene scene = read_scene(asked.scene, notes);
+  StillOptions still_options = asked.still;
+  still_options.times = times_of(asked, scene);
+  TextOutput output(asked.output);
+  const StopSignal stop;
+  Font font;
+  const Still still = compose_still(scene, still_options, stop, font);
+  output.write(encode(still, asked, font));
+  output.finish();
+  return verdict_on_accuracy(still.audit, notes);
+}
+
+}  // namespace
+
+Action declare_figure(Options& options) {
+  auto asked = std::make_shared<FigureOptions>();
+  add_scene(options, asked->scene);
+  options.value("-t,--time", "T1,T2,..", "instant in s, several for a strip [0]",
+                [asked](const std::string& text) {
+                  for (const std::string& time : split_list(text))
+                    asked->times.push_back(parse_time("-t", time));
+                });
+  add_strip_option(options, asked->still.strip);
+  options.single("--until", "T", "end of the even times of a strip in s [the scene's duration]",
+                 [asked](const std::string& text) { asked->until = parse_time("--until", text); });
+  options.required_text(
+      "-o,--output", "FILE",
+      "picture: .png, sharp at any size .svg .pdf, or - for a PNG on standard output",
+      asked->output);
+  add_picture_options(options, asked->still.picture);
+  add_encoder_option(options, asked->still.picture.encoder);
+  add_motion_options(options, asked->still.motion);
+  return [asked, &options](const Stopwatch&) { return figure(*asked, options); };
+}
+
+}  // namespace wuerfel

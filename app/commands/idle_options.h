@@ -1,0 +1,23 @@
+/// Options that do nothing beside the others, so that nothing is left out silently.
+#pragma once
+
+#include "app/cli/options.h"
+#include "app/cli/streams.h"
+#include "app/film/picture_options.h"
+#include "core/settings.h"
+
+namespace wuerfel {
+
+/// Notes every one of `names` that was given: "--fps does nothing REASON".
+void note_idle(const Options& options,
+               std::initializer_list<const char*> names,
+               const std::string& reason,
+               Notes& notes);
+
+/// Motion options that the integrator does not read.
+void note_idle_motion_options(const Options& options, const MotionSettings& motion, Notes& notes);
+
+/// Picture options of layers that are not drawn.
+void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);
+
+}  // namespace wuerfel

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/argument.h"
+#include "app/cli/option_groups.h"
+#include "app/commands/commands.h"
+#include "app/film/origin.h"
+#include "app/film/still.h"
+#include "app/output/text_output.h"
+#include "core/scene/scene_parser.h"
+#include "render/compare.h"
+#include "render/error.h"
+
+namespace wuerfel {
+
+namespace {
+
+struct ReproduceOptions {
+  std::string picture;
+  std::string output;  ///< the picture made again; empty: nowhere
+  CompareLimits limits;
+  bool json = false;
+};
+
+PngFile read_picture(const std::string& path) try {
+  return read_png(path);
+} catch (const RenderError& error) {
+  throw UsageError(error.what());
+}
+
+const std::string& text_of(const PngFile& picture, const char* key, const std::string& path) {
+  const auto found = std::ranges::find(picture.texts, key, &PngText::key);
+  if (found != picture.texts.end()) return found->value;
+  throw UsageError(fmt::format(
+      "{}: the text '{}' is missing: only pictures of `run` and `figure` can be made again", path,
+      key));
+}
+
+// The options that a picture says it was made with.
+StillOptions parse_options(const std::string& text, const std::string& path) try {
+  StillOptions made_with;
+  Options options("", "");
+  add_picture_options(options, made_with.picture);
+  add_motion_options(options, made_with.motion);
+  add_rate_options(options, made_with.trail_rate);
+  add_strip_option(options, made_with.strip);
+  options.parse_line(text);
+  return made_with;
+} catch (const UsageError& error) {
+  throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
+}
+
+std::string report(const Comparison& comparison,
+                   const std::string& made_by,
+                   const ReproduceOptions& options) {
+  if (!options.json) return describe(comparison) + "\n";
+  const nlohmann::ordered_json json{{"same", comparison.verdict != CompareVerdict::different},
+                                    {"verdict", to_string(comparison.verdict)},
+                                    {"made_by", made_by},
+                                    {"changed", comparison.changed},
+                                    {"share", comparison.share},
+                                    {"largest_difference", comparison.largest_difference},
+                                    {"worst", {comparison.worst_x, comparison.worst_y}}};
+  return json.dump(2) + "\n";
+}
+
+ExitCode reproduce(const ReproduceOptions& options) {
+  const PngFile picture = read_picture(options.picture);
+  const std::string& made_by = text_of(picture, software_key, options.picture);
+  const Scene scene = parse_scene(text_of(picture, scene_key, options.picture), options.picture);
+  StillOptions still_options =
+      parse_options(text_of(picture, options_key, options.picture), options.picture);
+  still_options.times = parse_numbers(time_key, text_of(picture, time_key, options.picture));
+  if (made_by != "wuerfel " WUERFEL_VERSION) {
+    Notes().add(
+        fmt::format("the picture was made by {}, this is wuerfel {}", made_by, WUERFEL_VERSION));
+  }
+
+  const StopSignal stop;
+  Font font;
+  const Still still = compose_still(scene, still_options, stop, font);
+  const Image again = draw_still(still);
+  if (!options.output.empty()) write_png(options.output, again, still.origin);
+  const Comparison comparison = compare_images(picture.image, again, options.limits);
+  write_text("-", report(comparison, made_by, options));
+  return comparison.verdict == CompareVerdict::different ? ExitCode::negative : ExitCode::fine;
+}
+
+}  // namespace
+
+Action declare_reproduce(Options& options) {
+  auto asked = std::make_shared<ReproduceOptions>();
+  options.argument("FRAME", ".png file that `run` or `figure` made", asked->picture);
+  options.text("-o,--output", "FILE.png", "the picture made again", asked->output);
+  add_compare_limits(options, asked->limits);
+  options.flag("--json", "print the answer as JSON", asked->json);
+  return [asked](const Stopwatch&) {
+    require_no_stdout("-o", asked->output);
+    return reproduce(*asked);
+  };
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,144 @@
+#include <memory>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/argument.h"
+#include "app/cli/option_groups.h"
+#include "app/cli/progress.h"
+#include "app/commands/batch.h"
+#include "app/commands/commands.h"
+#include "app/commands/idle_options.h"
+#include "app/commands/run_plan.h"
+#include "app/film/film.h"
+#include "app/output/accuracy.h"
+#include "app/output/summary.h"
+#include "app/output/tables.h"
+
+namespace wuerfel {
+
+namespace {
+
+void note_idle_options(const RunOptions& asked, const Options& options, Notes& notes) {
+  note_idle_motion_options(options, asked.motion, notes);
+  if (asked.outputs.empty()) {
+    note_idle(options,
+              {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
+               "--velocity-scale", "--rod-scale", "--encoder"},
+              "without -o", notes);
+    if (!asked.tables())
+      note_idle(options, {"--fps", "--speed"}, "without -o, --states or --forces", notes);
+    return;
+  }
+  note_idle_picture_options(options, asked.picture.layers, notes);
+  note_film_differences(asked.outputs, asked.picture, options.given("--encoder"), notes);
+}
+
+/// What a run starts from.
+struct Job {
+  const RunOptions& asked;
+  const Scene& scene;
+  RunPlan plan;
+  Stopwatch since_start;
+};
+
+Answer run(const Job& job, AnswerForm form, Notes& notes) {
+  const auto& [asked, scene, plan, since_start] = job;
+  const StopSignal stop;
+  Simulation simulation(scene, asked.motion);
+  simulation.set_pulse([&stop] { stop.check(); });
+
+  // What cannot be written is noticed before the long work.
+  PictureOutputs pictures(asked.outputs, animation_settings(asked.picture, asked.rate.fps, scene));
+  Tables tables(asked.states, asked.forces, asked.events);
+  SummaryFile summary_file(asked.summary);
+
+  // Simulate from one instant that somebody wants to see to the next.
+  RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
+  const Stopwatch watch;
+  const MotionSource source{scene, asked.motion, plan.instants, plan.request, stop};
+  Film film(asked.picture, asked.rate, source, pictures);
+  std::vector<Sample> samples;
+  const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
+  Progress progress(style, "simulating", plan.end, "s");
+  for (const Instant& instant : plan.instants) {
+    stop.check();
+    simulation.advance_to(instant.t);
+    progress.reached(instant.t);
+    if (instant.sample) samples.push_back({instant.t, simulation.states()});
+    if (!instant.frame) continue;
+    Snapshot snapshot = simulation.snapshot(plan.request);
+    tables.add_states(instant.t, scene, simulation.states());
+    tables.add_forces(snapshot);
+    if (!pictures.empty()) film.add(std::move(snapshot));
+  }
+  progress.end();
+
+  film.finish(style);
+  tables.finish(simulation.events());
+  cost.frames = film.frames();
+  cost.frames_reused = film.reused();
+  cost.wall_s = watch.wall();
+  cost.cpu_s = watch.cpu();
+  const ExitCode code = verdict_on_accuracy(simulation.audit(), notes);
+  const auto summary = run_summary(scene, asked.motion, simulation, samples, notes, cost);
+  summary_file.write(json_text(summary, {}));
+  return {code, form.json ? json_text(summary, form) : ""};
+}
+
+Answer answer(const RunOptions& asked,
+              const Options& options,
+              const SceneText& text,
+              AnswerForm form,
+              const Stopwatch& since_start) {
+  if (form.one_line && !asked.files().empty())
+    throw UsageError("files are written for one scene at a time; for several there is --json");
+  Notes notes(asked.quiet);
+  note_idle_options(asked, options, notes);
+  const Scene scene = parse(text, asked.overrides, notes);
+  return run({asked, scene, make_plan(asked, scene), since_start}, form, notes);
+}
+
+void declare_outputs(Options& options, RunOptions& asked) {
+  options.value("-o,--output", "DIR/|FILE",
+                "folder of frames, or a film: .mp4 .webm .gif .apng (repeatable)",
+                [&asked](const std::string& text) {
+                  require_picture_output(text);
+                  asked.outputs.push_back(text);
+                });
+  add_rate_options(options, asked.rate);
+  options.single("--until", "T", "end in s [the scene's duration]",
+                 [&asked](const std::string& text) { asked.until = parse_time("--until", text); });
+  options.value("--sample", "T1,T2,..",
+                "report the state at these times, each once and in their order",
+                [&asked](const std::string& text) {
+                  for (const std::string& time : split_list(text))
+                    asked.samples.push_back(parse_time("--sample", time));
+                });
+  options.text("--states", "FILE", "positions and velocities at the frame times as CSV",
+               asked.states);
+  options.text("--forces", "FILE", "contact forces at the frame times as CSV", asked.forces);
+  options.text("--events", "FILE", "events as JSON lines", asked.events);
+  options.text("--summary", "FILE", "the summary as JSON", asked.summary);
+  options.flag("--json", "print the summary as JSON", asked.json);
+  options.flag("--quiet", "no progress and no notes", asked.quiet);
+}
+
+}  // namespace
+
+Action declare_run(Options& options) {
+  auto asked = std::make_shared<RunOptions>();
+  add_scenes(options, asked->scenes, asked->overrides);
+  declare_outputs(options, *asked);
+  add_picture_options(options, asked->picture);
+  add_encoder_option(options, asked->picture.encoder);
+  add_motion_options(options, asked->motion);
+  return [asked, &options](const Stopwatch& since_start) {
+    require_distinct_outputs(*asked);
+    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+      return answer(*asked, options, text, form, since_start);
+    });
+  };
+}
+
+}  // namespace wuerfel

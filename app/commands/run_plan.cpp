@@ -1,0 +1,94 @@
+#include "app/commands/run_plan.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "app/cli/exit_code.h"
+#include "core/scene/suggestion.h"
+
+namespace wuerfel {
+
+namespace {
+
+void require_samples_until(double end, const std::vector<double>& samples) {
+  for (const double t : samples) {
+    if (t <= end) continue;
+    throw UsageError(fmt::format("--sample: {} s is after the end of the run at {} s", t, end));
+  }
+}
+
+std::vector<double> frames_until(double end, const RunOptions& asked) {
+  if (asked.outputs.empty() && !asked.tables()) return {};
+  return frame_times(end, asked.rate);
+}
+
+// Where nobody looks, somebody waits: he sees every hundredth of the way.
+std::vector<double> marks_until(double end) {
+  constexpr int count = 100;
+  std::vector<double> marks;
+  for (int k = 1; k < count; ++k)
+    marks.push_back(end * k / count);
+  return marks;
+}
+
+// Names of one file are one name; devices take anything from anybody.
+std::optional<std::filesystem::path> place_of(const std::string& name) {
+  if (name == "-") return name;
+  std::error_code error;
+  if (std::filesystem::is_other(std::filesystem::status(name, error))) return std::nullopt;
+  const auto place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return place.has_filename() ? place : place.parent_path();
+}
+
+// A camera has to find the body that it follows.
+void require_body(const Camera& camera, const Scene& scene) {
+  if (camera.kind != Camera::Kind::follow) return;
+  std::vector<std::string_view> names;
+  for (const SceneCube& cube : scene.cubes)
+    names.push_back(cube.name);
+  if (std::ranges::find(names, camera.body) != names.end()) return;
+  throw UsageError(
+      fmt::format("--view: there is no cube '{}'{}", camera.body, suggestion(camera.body, names)));
+}
+
+}  // namespace
+
+std::vector<std::string> RunOptions::files() const {
+  std::vector<std::string> names = outputs;
+  for (const std::string* file : {&states, &forces, &events, &summary})
+    if (!file->empty()) names.push_back(*file);
+  return names;
+}
+
+void require_distinct_outputs(const RunOptions& asked) {
+  std::map<std::filesystem::path, std::string> taken;
+  if (asked.json) taken["-"] = "--json";
+  for (const std::string& name : asked.files()) {
+    const auto place = place_of(name);
+    if (place && !taken.emplace(*place, name).second) {
+      throw UsageError(name == "-" ? "only one of --json and the files can be standard output"
+                                   : fmt::format("two outputs have the name {}", name));
+    }
+  }
+}
+
+RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
+  RunPlan plan;
+  plan.end = asked.until.value_or(scene.duration);
+  require_samples_until(plan.end, asked.samples);
+  require_body(asked.picture.camera, scene);
+  const std::vector<double> frames = frames_until(plan.end, asked);
+  plan.instants = timetable(plan.end, frames, asked.samples,
+                            frames.empty() ? marks_until(plan.end) : std::vector<double>{});
+  if (!asked.outputs.empty()) plan.request = snapshot_request(asked.picture.layers);
+  if (!asked.forces.empty()) plan.request.forces = true;
+  return plan;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,50 @@
+/// What a run is told, and what it has to do: worked out from the command line and the scene before
+/// anything is done.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/film/picture_options.h"
+#include "app/film/timetable.h"
+#include "core/scene/scene.h"
+#include "core/settings.h"
+#include "core/time/simulation.h"
+
+namespace wuerfel {
+
+struct RunOptions {
+  std::vector<std::string> scenes;     ///< where they come from
+  std::vector<std::string> overrides;  ///< key=value
+  MotionSettings motion;
+  PictureOptions picture;
+  FrameRate rate;
+  std::optional<double> until;       ///< s; none: the scene's duration
+  std::vector<double> samples;       ///< s
+  std::vector<std::string> outputs;  ///< folders and films
+  std::string states;                ///< file names, empty: not wanted, `-`: standard output
+  std::string forces;
+  std::string events;
+  std::string summary;
+  bool json = false;
+  bool quiet = false;
+
+  [[nodiscard]] bool tables() const { return !states.empty() || !forces.empty(); }
+  /// Names of all files and folders that are asked for.
+  [[nodiscard]] std::vector<std::string> files() const;
+};
+
+/// Throws UsageError where two things have to go to one place.
+void require_distinct_outputs(const RunOptions& asked);
+
+struct RunPlan {
+  double end = 0.0;               ///< s
+  std::vector<Instant> instants;  ///< when to look
+  SnapshotRequest request;        ///< and at what
+};
+
+/// Throws UsageError where the options do not fit the scene.
+RunPlan make_plan(const RunOptions& asked, const Scene& scene);
+
+}  // namespace wuerfel

@@ -1,0 +1,92 @@
+/// A motion to be drawn when its end is known: view and arrow scales are one for all pictures.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/cli/stop_signal.h"
+#include "app/film/timetable.h"
+#include "core/scene/scene.h"
+#include "core/settings.h"
+#include "core/snapshot.h"
+#include "core/time/simulation.h"
+#include "render/force_scale.h"
+
+namespace wuerfel {
+
+/// A motion that can be gone through again and again, each time with the same bits.
+struct MotionSource {
+  const Scene& scene;
+  MotionSettings motion;
+  std::vector<Instant> instants;
+  SnapshotRequest request;
+  const StopSignal& stop;
+
+  /// Simulates it from the start and shows its frames; what the audit says in the end. Throws
+  /// Interrupted.
+  Audit show_frames(const std::function<void(const Snapshot&)>& show) const;
+};
+
+/// What a whole motion tells of the arrows.
+struct MotionRange {
+  ForceRange forces;
+  double fastest = 0.0;      ///< m/s
+  double largest_rod = 0.0;  ///< N
+
+  void include(const Snapshot& snapshot);
+};
+
+/// The frames of a motion. What never changes (names, sizes, colours, fixed boxes, planes) is kept
+/// once; what moves once per frame, and not again where nothing did. Memory is bounded: a motion
+/// that would take more than the limit is not kept but simulated again when it is asked for.
+class Recording {
+ public:
+  static constexpr std::size_t default_limit = std::size_t{512} << 20U;  // bytes
+
+  /// `source` lives longer than the recording.
+  explicit Recording(const MotionSource& source, std::size_t limit = default_limit)
+      : source_(&source), limit_(limit) {}
+
+  void add(Snapshot snapshot);
+  [[nodiscard]] const MotionRange& range() const { return range_; }
+  /// All frames in their order.
+  void for_each(const std::function<void(const Snapshot&)>& show) const;
+
+ private:
+  struct Pose {
+    Vec2 center;
+    Vec2 velocity;
+    double angle;
+    double spin;
+    bool operator==(const Pose&) const = default;
+  };
+  /// All that a picture shows besides what never changes and the time.
+  struct Scenery {
+    std::vector<Pose> boxes;
+    std::vector<SnapshotForce> forces;
+    std::vector<SnapshotRod> rods;
+    std::vector<SnapshotPoint> points;
+    std::vector<SnapshotContact> contacts;
+    std::vector<SnapshotSide> sides;
+    bool operator==(const Scenery&) const = default;
+    [[nodiscard]] std::size_t bytes() const;
+  };
+  struct Frame {
+    double time;
+    double energy;
+    std::shared_ptr<const Scenery> scenery;
+  };
+
+  [[nodiscard]] bool kept() const { return bytes_ <= limit_; }
+
+  const MotionSource* source_;
+  std::size_t limit_;
+  MotionRange range_;
+  Snapshot first_;
+  std::vector<Frame> frames_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,125 @@
+#include "app/film/still.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/cli/exit_code.h"
+#include "app/film/origin.h"
+#include "app/film/recording.h"
+#include "app/film/trails.h"
+#include "core/scene/scene_parser.h"
+#include "render/compose_frame.h"
+#include "render/error.h"
+#include "render/renderer.h"
+
+namespace wuerfel {
+
+namespace {
+
+std::optional<StripLayout> layout_of(const StillOptions& options) try {
+  if (!options.strip) return std::nullopt;
+  const auto [width, height] = options.picture.size;
+  return strip_layout(*options.strip, width, height, options.picture.scale);
+} catch (const RenderError& error) {
+  throw UsageError(error.what());
+}
+
+// Frames of a strip are smaller, and their captions take the place of the HUD.
+PictureOptions cell_options(const PictureOptions& page, const StripLayout& layout) {
+  PictureOptions cell = page;
+  cell.size = {layout.cell_width, layout.cell_height};
+  cell.layers.erase(Layer::hud);
+  return cell;
+}
+
+// When to look: at the times asked for, and where trails are drawn as often as a film would.
+std::vector<Instant> instants_of(const StillOptions& options) {
+  const double end = options.times.back();
+  std::vector<double> on_the_way;
+  if (options.picture.layers.has(Layer::trails)) on_the_way = frame_times(end, options.trail_rate);
+  return timetable(end, on_the_way, options.times);
+}
+
+/// One by one, the draw lists of the instants that were asked for.
+std::vector<DrawList> compose_cells(const Recording& motion,
+                                    const std::vector<Instant>& instants,
+                                    const PictureOptions& fitted,
+                                    const Scene& scene,
+                                    Font& font) {
+  const Style style = make_style(fitted.theme);
+  const FrameOptions frame = frame_options(fitted, scene);
+  Trails trails;
+  std::vector<DrawList> lists;
+  auto instant = instants.begin();
+  motion.for_each([&](const Snapshot& snapshot) {
+    const auto [t, on_the_way, asked_for] = *instant++;
+    if (on_the_way) trails.add(snapshot);
+    if (!asked_for) return;
+    Snapshot shown = snapshot;
+    shown.trails = trails.paths();
+    lists.push_back(compose_frame(shown, view_of(fitted, shown), style, frame, font));
+  });
+  return lists;
+}
+
+std::string settings_text(const StillOptions& options, const PictureOptions& fitted) {
+  PictureOptions page = fitted;
+  page.size = options.picture.size;
+  page.layers = options.picture.layers;
+  std::string text = option_text(page);
+  if (options.strip)
+    text += fmt::format(" --strip {}x{}", options.strip->columns, options.strip->rows);
+  return text + " " + option_text(options.motion);
+}
+
+}  // namespace
+
+Still compose_still(const Scene& scene,
+                    const StillOptions& options,
+                    const StopSignal& stop,
+                    Font& font) {
+  const std::optional<StripLayout> layout = layout_of(options);
+  const std::vector<Instant> instants = instants_of(options);
+  MotionSource source{scene, options.motion, instants, snapshot_request(options.picture.layers),
+                      stop};
+  for (Instant& instant : source.instants)
+    instant.frame = true;
+  Recording motion(source);
+  Still still;
+  still.audit = source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
+
+  const PictureOptions fitted =
+      fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);
+  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, scene, font);
+
+  still.origin.push_back(time_text(options.times));
+  for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(scene)))
+    still.origin.push_back(std::move(text));
+  if (!layout) {
+    still.page = std::move(lists.front());
+    return still;
+  }
+  std::vector<std::string> captions;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const CellPlace place = cell_place(*layout, i);
+    captions.push_back(fmt::format("t = {:.3f} s", options.times[i]));
+    still.cells.push_back({std::move(lists[i]), place.x, place.y});
+  }
+  still.page = strip_page(captions, *layout, make_style(fitted.theme));
+  return still;
+}
+
+Image draw_still(const Still& still) {
+  Renderer renderer;
+  Image image;
+  renderer.draw(still.page, image);
+  Image cell;
+  for (const PlacedList& placed : still.cells) {
+    renderer.draw(placed.list, cell);
+    paste(cell, placed.x, placed.y, image);
+  }
+  return image;
+}
+
+}  // namespace wuerfel

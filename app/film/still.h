@@ -1,0 +1,47 @@
+/// Still pictures: one instant of a motion, or a strip of several.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/cli/stop_signal.h"
+#include "app/film/picture_options.h"
+#include "app/film/timetable.h"
+#include "core/scene/scene.h"
+#include "core/settings.h"
+#include "core/time/simulation.h"
+#include "render/draw_list.h"
+#include "render/film_strip.h"
+#include "render/font.h"
+#include "render/image.h"
+#include "render/png.h"
+#include "render/vector_figure.h"
+
+namespace wuerfel {
+
+struct StillOptions {
+  MotionSettings motion;
+  PictureOptions picture;
+  std::vector<double> times{0.0};  ///< s, ascending; one for each picture of a strip
+  std::optional<StripGrid> strip;
+  FrameRate trail_rate;  ///< how often trails look where cubes are
+};
+
+/// A still picture that any backend can draw.
+struct Still {
+  DrawList page;
+  std::vector<PlacedList> cells;  ///< of a strip
+  std::vector<PngText> origin;
+  Audit audit;
+};
+
+/// Simulates up to the last of the times. Throws SceneError, RenderError, Interrupted.
+Still compose_still(const Scene& scene,
+                    const StillOptions& options,
+                    const StopSignal& stop,
+                    Font& font);
+
+/// The pixels.
+Image draw_still(const Still& still);
+
+}  // namespace wuerfel

@@ -1,0 +1,58 @@
+#include "app/film/timetable.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "app/cli/exit_code.h"
+
+namespace wuerfel {
+
+long frame_count(double end, const FrameRate& rate) {
+  constexpr double most_frames = 1e7;
+  // 0.57 s at 100 frames/s are 57 frames after the first although the product is 56.99999999999999.
+  const double exact = end * rate.fps / rate.speed;
+  if (!(exact < most_frames))
+    throw UsageError(fmt::format("{:.3g} frames are more than {:.0f}", exact, most_frames));
+  return static_cast<long>(std::floor(exact + 1e-9 * std::max(1.0, exact))) + 1;
+}
+
+std::vector<double> frame_times(double end, const FrameRate& rate) {
+  const long count = frame_count(end, rate);
+  std::vector<double> times;
+  times.reserve(count);
+  for (long k = 0; k < count; ++k)
+    times.push_back(std::min(end, static_cast<double>(k) * rate.speed / rate.fps));
+  return times;
+}
+
+std::vector<Instant> timetable(double end,
+                               const std::vector<double>& frames,
+                               const std::vector<double>& samples,
+                               const std::vector<double>& marks) {
+  std::vector<Instant> instants;
+  instants.reserve(frames.size() + samples.size() + marks.size() + 1);
+  for (const double t : frames)
+    instants.push_back({.t = t, .frame = true});
+  for (const double t : samples)
+    instants.push_back({.t = t, .sample = true});
+  for (const double t : marks)
+    instants.push_back({.t = t});
+  instants.push_back({.t = end});
+  std::ranges::stable_sort(instants, {}, &Instant::t);
+
+  // Equal instants become one that is everything they were.
+  std::vector<Instant> merged;
+  for (const Instant& instant : instants) {
+    if (merged.empty() || merged.back().t != instant.t) {
+      merged.push_back(instant);
+    } else {
+      merged.back().frame |= instant.frame;
+      merged.back().sample |= instant.sample;
+    }
+  }
+  return merged;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,35 @@
+/// When a run is looked at.
+#pragma once
+
+#include <vector>
+
+namespace wuerfel {
+
+/// An instant at which the simulation stops to be looked at.
+struct Instant {
+  double t = 0.0;       ///< s, simulated
+  bool frame = false;   ///< a picture, and a line of the tables
+  bool sample = false;  ///< asked for by --sample
+};
+
+struct FrameRate {
+  double fps = 60.0;   ///< frames per second of the film
+  double speed = 1.0;  ///< simulated seconds per second of the film
+};
+
+/// How many frames there are from 0 to `end` s. Throws UsageError where they would fill memory and
+/// disk long before they were of use.
+long frame_count(double end, const FrameRate& rate);
+
+/// Times of the frames from 0 to `end` s, both included: k / fps * speed for k = 0 .. floor(end fps
+/// / speed).
+std::vector<double> frame_times(double end, const FrameRate& rate);
+
+/// Frames, samples, other moments to stop at and the end in one order in time, every instant once; the times are exactly
+/// those given.
+std::vector<Instant> timetable(double end,
+                               const std::vector<double>& frames,
+                               const std::vector<double>& samples,
+                               const std::vector<double>& marks = {});
+
+}  // namespace wuerfel

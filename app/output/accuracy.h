@@ -1,0 +1,15 @@
+/// Whether what was computed is as exact as was asked for.
+#pragma once
+
+#include "app/cli/exit_code.h"
+#include "app/cli/streams.h"
+#include "core/time/simulation.h"
+
+namespace wuerfel {
+
+/// Fine where every program was solved within the tolerance, every event was found, nothing
+/// overlaps and energy drifted by no more than the tolerance promises; else undecided, with a
+/// warning.
+ExitCode verdict_on_accuracy(const Audit& audit, Notes& notes);
+
+}  // namespace wuerfel

@@ -1,0 +1,104 @@
+#include "app/output/text_output.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+
+#include <fmt/core.h>
+
+#include "app/cli/stop_signal.h"
+#include "render/error.h"
+
+namespace wuerfel {
+
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 16U;  // bytes
+
+// What a chain of links ends at, whether it is there or not.
+std::filesystem::path link_target(std::filesystem::path path) {
+  constexpr int longest_chain = 40;  // as the kernel has it
+  std::error_code error;
+  for (int i = 0; i < longest_chain && std::filesystem::is_symlink(path, error); ++i) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
+}
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+bool is_pipe_or_device(const std::string& path) {
+  std::error_code ignored;
+  using std::filesystem::file_type;
+  const file_type type = std::filesystem::status(path, ignored).type();
+  return type == file_type::fifo || type == file_type::character || type == file_type::socket;
+}
+
+}  // namespace
+
+TextOutput::TextOutput(const std::string& path) : name_(path) {
+  if (path == "-") {
+    name_ = "standard output";
+    descriptor_ = STDOUT_FILENO;
+  } else if (is_pipe_or_device(path)) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail();
+  } else if (is_folder(path)) {
+    throw OutputError(fmt::format("cannot write {}: it is a folder", path));
+  } else {
+    file_.emplace(link_target(path).string());
+  }
+}
+
+TextOutput::~TextOutput() {
+  if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
+}
+
+void TextOutput::write(std::string_view text) {
+  buffer_ += text;
+  if (buffer_.size() >= buffer_size) flush();
+}
+
+void TextOutput::write(std::span<const std::uint8_t> bytes) {
+  write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+void TextOutput::finish() {
+  flush();
+  if (file_) file_->commit();
+}
+
+void TextOutput::flush() {
+  std::string_view rest = buffer_;
+  if (file_) {
+    file_->write({reinterpret_cast<const std::uint8_t*>(rest.data()), rest.size()});
+    rest = {};
+  }
+  while (!rest.empty()) {
+    const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail();
+    rest.remove_prefix(static_cast<std::size_t>(count));
+  }
+  buffer_.clear();
+}
+
+void TextOutput::fail() const {
+  // As `| head` ends other programs: without a word.
+  if (errno == EPIPE && descriptor_ == STDOUT_FILENO) throw Interrupted{SIGPIPE};
+  throw OutputError(
+      fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  TextOutput output(path);
+  output.write(text);
+  output.finish();
+}
+
+}  // namespace wuerfel

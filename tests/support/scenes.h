@@ -1,0 +1,68 @@
+/// Scenes that tests put together from cubes.
+#pragma once
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene_parser.h"
+
+namespace wuerfel::test {
+
+inline SceneCube cube(const std::string& name,
+                      const Vec2& position,
+                      double angle = 0.0,
+                      double spin = 0.0) {
+  SceneCube c;
+  c.name = name;
+  c.position = position;
+  c.angle = angle;
+  c.spin = spin;
+  return c;
+}
+
+/// A rectangle, `size` m.
+inline SceneCube sized_cube(const std::string& name,
+                            const Vec2& position,
+                            const Vec2& size,
+                            double angle = 0.0) {
+  SceneCube c = cube(name, position, angle);
+  c.size = size;
+  return c;
+}
+
+/// On a floor at height 0.
+inline Scene on_floor(std::vector<SceneCube> cubes) {
+  Scene scene;
+  scene.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY(), {}});
+  scene.cubes = std::move(cubes);
+  return scene;
+}
+
+/// Unit cubes one on the other, every second one shifted by 0.1 m.
+inline std::vector<SceneCube> tower(int count) {
+  std::vector<SceneCube> cubes;
+  for (int i = 0; i < count; ++i)
+    cubes.push_back(cube("t" + std::to_string(i), {0.1 * (i % 2), 0.5 + i}));
+  return cubes;
+}
+
+/// Unit cubes one on the other, each shifted by `lean` m.
+inline std::vector<SceneCube> leaning_tower(int count, double lean) {
+  std::vector<SceneCube> cubes;
+  for (int i = 0; i < count; ++i)
+    cubes.push_back(cube("c" + std::to_string(i), {lean * i, 0.5 + i}));
+  return cubes;
+}
+
+/// A scene of assets/scenes by its name.
+inline Scene shipped_scene(const std::string& name,
+                           const std::vector<std::string>& overrides = {}) {
+  std::ifstream file(std::string(SCENES) + "/" + name + ".toml", std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_scene(text.str(), name + ".toml", overrides);
+}
+
+}  // namespace wuerfel::test
