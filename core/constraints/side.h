@@ -1,4 +1,5 @@
-/// Seitenrestriktion, Eq. (2)-(8): corner p_k stays outside the side (p_i, p_j) of another cube.
+/// Seitenrestriktion, Eq. (2)-(8): corner p_k stays outside the side (p_i, p_j) of another cube, and
+/// how it slides along it.
 ///
 /// Sides are stored clockwise, so that n = perp(p_j - p_i) points out and A is positive outside.
 /// Multipliers of these rows are forces: multiplier times coefficient is the force on the point;
@@ -61,6 +62,26 @@ inline SideRow side_acceleration_row(const Vec2& p_i,
   // The sum of the three determinants is |v_j - v_i, v_k - v_i|, which loses no digits to a common
   // speed.
   row.c = 2.0 * det(v_j - v_i, v_k - v_i);
+  return row;
+}
+
+/// Along the side, for friction: how fast p_k slides against the point of the side where it is, times
+/// the side's length: <v_k - alpha v_j - (1 - alpha) v_i, t>, t = perp(n) = p_i - p_j.
+inline SideRow side_tangent_row(const Vec2& p_i, const Vec2& p_j, double alpha) {
+  const Vec2 t = p_i - p_j;
+  return {-(1.0 - alpha) * t, -alpha * t, t, 0.0};
+}
+
+/// Its rate in the frame of the side, where A = 0: the second derivative of <p_k - p_m, t> with p_m,
+/// the point of the side under p_k, at rest in that frame.
+inline SideRow side_tangent_acceleration_row(const Vec2& p_i,
+                                             const Vec2& p_j,
+                                             double alpha,
+                                             const Vec2& v_i,
+                                             const Vec2& v_j,
+                                             const Vec2& v_k) {
+  SideRow row = side_tangent_row(p_i, p_j, alpha);
+  row.c = 2.0 * (v_i - v_j).dot((v_k - v_i) - alpha * (v_j - v_i));
   return row;
 }
 

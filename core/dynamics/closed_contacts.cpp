@@ -35,16 +35,16 @@ void ClosedContacts::pose(const State& state) {
     c = at_poses(*system_, boxes_, c);
 }
 
-void ClosedContacts::solve(const State& state, FewContacts::Order order) {
+void ClosedContacts::solve(const State& state, Order order) {
   pose(state);
   if (few_) {
     small_.build(*system_, state, island_, order);
     few_ = small_.solve(x_, forces_);
     if (few_) return;
   }
-  if (order == FewContacts::Order::acceleration) builder_.acceleration(state, island_, use_);
-  if (order == FewContacts::Order::velocity) builder_.velocity(state, island_, use_);
-  if (order == FewContacts::Order::position) builder_.position(state, island_, use_);
+  if (order == Order::acceleration) builder_.acceleration(state, island_, use_);
+  if (order == Order::velocity) builder_.velocity(state, island_, use_);
+  if (order == Order::position) builder_.position(state, island_, use_);
   solver_.factorise(builder_.program());
   solver_.solve(builder_.program(), x_, forces_);
 }
@@ -56,7 +56,7 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
   }
   forces_.clear();
   if (island_.contacts.empty()) return;
-  solve(state, FewContacts::Order::acceleration);
+  solve(state, Order::acceleration);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
     accelerations[cube] = {Vec2(at[0], at[1]), at[2]};
@@ -66,7 +66,7 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
 
 void ClosedContacts::project_positions(State& state) {
   if (island_.contacts.empty()) return;
-  solve(state, FewContacts::Order::position);
+  solve(state, Order::position);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
     BodyState& s = state[cube];
@@ -78,7 +78,7 @@ void ClosedContacts::project_positions(State& state) {
 
 void ClosedContacts::project_velocities(State& state) {
   if (island_.contacts.empty()) return;
-  solve(state, FewContacts::Order::velocity);
+  solve(state, Order::velocity);
   const double* at = x_.data();
   for (const int cube : island_.cubes) {
     BodyState& s = state[cube];

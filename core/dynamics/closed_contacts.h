@@ -38,7 +38,7 @@ class ClosedContacts {
 
  private:
   void pose(const State& state);
-  void solve(const State& state, FewContacts::Order order);
+  void solve(const State& state, Order order);
 
   const System* system_;
   ProgramBuilder builder_;

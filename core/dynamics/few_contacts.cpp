@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/constraints/side.h"
-#include "core/dynamics/pull_back.h"
-
 namespace wuerfel {
 namespace {
 
@@ -50,32 +47,10 @@ void FewContacts::build(const System& system,
 
 void FewContacts::add(
     const System& system, const State& state, const Island& island, const Contact& c, Order order) {
-  SideRow side = side_velocity_row(c.arm_i, c.arm_j, c.alpha);
-  if (order == Order::acceleration) {
-    const ContactVelocity v = contact_velocity(system, state, c);
-    side = side_acceleration_row(c.arm_i, c.arm_j, c.alpha, v.v_i, v.v_j, v.v_k);
-  }
-  const double scale = 1.0 / c.length;
-  double constant = order == Order::position ? c.gap : scale * side.c;
-  Row& row = rows_[count_++];
-  row = {};
-  if (system.is_cube(c.on)) {
-    RigidRow rigid;
-    pull_back(scale * side.g_k, c.arm_k, state[c.on].spin, rigid);
-    row.on = number_in(island, c.on);
-    row.g_on = rigid.g;
-    if (order == Order::acceleration) constant += rigid.centripetal;
-  }
-  if (system.is_cube(c.from)) {
-    const double spin = state[c.from].spin;
-    RigidRow rigid;
-    pull_back(scale * side.g_i, c.arm_i, spin, rigid);
-    pull_back(scale * side.g_j, c.arm_j, spin, rigid);
-    row.from = number_in(island, c.from);
-    row.g_from = rigid.g;
-    if (order == Order::acceleration) constant += rigid.centripetal;
-  }
-  row.bound = -constant;
+  const ContactRow both = pull_back(system, state, c, order, normal_row(system, state, c, order));
+  rows_[count_++] = {system.is_cube(c.on) ? number_in(island, c.on) : -1,
+                     system.is_cube(c.from) ? number_in(island, c.from) : -1, both.on, both.from,
+                     -both.c};
 }
 
 double FewContacts::product(const Row& row, const std::vector<double>& x) const {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/constraints/islands.h"
+#include "core/dynamics/contact_rows.h"
 
 namespace wuerfel {
 
 class FewContacts {
  public:
   static constexpr int most = 8;
-  enum class Order { position, velocity, acceleration };
 
   /// Rows for the contacts of an island, at most `most`, as they are now.
   void build(const System& system, const State& state, const Island& island, Order order);

@@ -2,8 +2,8 @@
 
 #include <Eigen/QR>
 
-#include "core/constraints/side.h"
 #include "core/dynamics/programs.h"
+#include "core/dynamics/pull_back.h"
 #include "core/qp/canonical_multipliers.h"
 
 namespace wuerfel {
@@ -69,17 +69,16 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
   for (int k = 0; k < points_per_cube; ++k) {
     const auto n = static_cast<std::size_t>(k);
     const Vec2 r = points.p[n] - s.position;
-    const Vec2 a_k = acceleration.linear + acceleration.angular * perp(r) - s.spin * s.spin * r;
+    const Vec2 a_k = point_acceleration(acceleration, s.spin, r);
     missing.segment<2>(2 * k) = masses[n].mass * (a_k - system.gravity);
   }
   for (std::size_t m = 0; m < contacts.size(); ++m) {
     const Contact& c = contacts[m];
-    const SideRow row = side_velocity_row(c.arm_i, c.arm_j, c.alpha);
-    const double lambda = forces[m] / c.length;
-    if (c.on == cube) missing.segment<2>(2 * c.corner) -= lambda * row.g_k;
+    const SideRow row = normal_row(system, state, c, Order::velocity);
+    if (c.on == cube) missing.segment<2>(2 * c.corner) -= forces[m] * row.g_k;
     if (c.from == cube) {
-      missing.segment<2>(2 * next_corner(c.side)) -= lambda * row.g_i;
-      missing.segment<2>(2 * c.side) -= lambda * row.g_j;
+      missing.segment<2>(2 * next_corner(c.side)) -= forces[m] * row.g_i;
+      missing.segment<2>(2 * c.side) -= forces[m] * row.g_j;
     }
   }
   Eigen::Matrix<double, 2 * points_per_cube, rods_per_cube> directions;

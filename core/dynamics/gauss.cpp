@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace wuerfel {
 
@@ -44,6 +45,11 @@ double slack(const QuadraticProgram& program, std::size_t row, const std::vector
       sum += g[k] * x[block * g.size() + k];
   }
   return sum;
+}
+
+void end_without_answer(const QpSolver& solver, QpStatus status) {
+  if (status == QpStatus::unavailable || status == QpStatus::invalid)
+    throw SolverError(std::string(solver.trouble()));
 }
 
 }  // namespace
@@ -141,6 +147,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
     }
     if (!settings_.skips.warm_start) memory.solver->forget();
     memory.solver->solve(program, memory.result);
+    end_without_answer(*memory.solver, memory.result.status);
     const double reached = memory.result.residual.worst();
     if (memory.result.status == QpStatus::inaccurate) {
       finish_off(island, memory, tolerance);

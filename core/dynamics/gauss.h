@@ -38,7 +38,8 @@ struct ProgramTolerances {
 };
 
 /// Builds and solves programs. Remembers, island by island, what a solver can start from; an island
-/// is known by its first cube.
+/// is known by its first cube. Throws SolverError where a solver is missing or a program malformed (a
+/// state that is not a number, say).
 class IslandDynamics {
  public:
   IslandDynamics(const System& system,

@@ -85,49 +85,26 @@ void ProgramBuilder::add_point_entries(const Contact& contact, const SideRow& ro
   }
 }
 
-void ProgramBuilder::add_rigid_entries(const State& state,
-                                       const Contact& contact,
-                                       const SideRow& row,
-                                       double& c) {
-  if (system_->is_cube(contact.on)) {
-    RigidRow rigid;
-    pull_back(row.g_k, contact.arm_k, state[contact.on].spin, rigid);
-    program_.add_entry(local_[contact.on], rigid.g);
-    c += rigid.centripetal;
-  }
-  if (system_->is_cube(contact.from)) {
-    const double omega = state[contact.from].spin;
-    RigidRow rigid;
-    pull_back(row.g_i, contact.arm_i, omega, rigid);
-    pull_back(row.g_j, contact.arm_j, omega, rigid);
-    program_.add_entry(local_[contact.from], rigid.g);
-    c += rigid.centripetal;
-  }
+void ProgramBuilder::add_rigid_entries(const Contact& contact, const ContactRow& row) {
+  if (system_->is_cube(contact.on)) program_.add_entry(local_[contact.on], row.on);
+  if (system_->is_cube(contact.from)) program_.add_entry(local_[contact.from], row.from);
 }
 
 void ProgramBuilder::add_side(const State& state,
                               const Contact& contact,
                               SideUse use,
                               Order order) {
-  SideRow row = side_velocity_row(contact.arm_i, contact.arm_j, contact.alpha);
-  if (order == Order::acceleration) {
-    const ContactVelocity v = contact_velocity(*system_, state, contact);
-    row = side_acceleration_row(contact.arm_i, contact.arm_j, contact.alpha, v.v_i, v.v_j, v.v_k);
-  }
-  const double scale = 1.0 / contact.length;
-  row = {row.g_i * scale, row.g_j * scale, row.g_k * scale, row.c * scale};
-  if (order == Order::position) row.c = contact.gap;
+  const SideRow row = normal_row(*system_, state, contact, order);
   const int index =
       use == SideUse::equality ? program_.add_equality(0.0) : program_.add_inequality(0.0);
-  double c = row.c;
   if (formulation_ == Formulation::points) {
+    program_.bound[index] = -row.c;
     add_point_entries(contact, row);
-  } else {
-    double centripetal = 0.0;
-    add_rigid_entries(state, contact, row, centripetal);
-    if (order == Order::acceleration) c += centripetal;
+    return;
   }
-  program_.bound[index] = -c;
+  const ContactRow rigid = pull_back(*system_, state, contact, order, row);
+  program_.bound[index] = -rigid.c;
+  add_rigid_entries(contact, rigid);
 }
 
 void ProgramBuilder::add_sides(const State& state,

@@ -1,17 +1,18 @@
 /// The three programs of a step, each a QuadraticProgram over one island:
 ///
-///   acceleration  Eq. (9): minimise 1/2 sum m_i |a_i - F_i|^2 under (1) and, where (2) = (3) = 0,
-///   under (7) velocity      Moreau's impact law: minimise 1/2 sum m_i |v_i^+ - v_i^-|^2 under (1)
-///   and (3) position      Längenkorrektur: minimise 1/2 sum m_i |d_i|^2 so that rods have their
-///   length and no corner is inside
+/// - acceleration, Eq. (9): minimise 1/2 sum m_i |a_i - F_i|^2 under (1) and, where (2) = (3) = 0,
+///   under (7);
+/// - velocity, Moreau's impact law: minimise 1/2 sum m_i |v_i^+ - v_i^-|^2 under (1) and (3);
+/// - position, Längenkorrektur: minimise 1/2 sum m_i |d_i|^2 so that rods have their length and no
+///   corner is inside.
 ///
 /// With the 1/2 (the print of (9) has none) multipliers are forces. Rows are divided by the length
 /// of their rod or side, so that a multiplier is the force itself, in N (N s for impulses), not per
 /// metre.
 ///
 /// Unknowns are what the formulation says: all points with all rods as equalities (the paper to the
-/// letter), or x, y, theta per cube, where rods hold by themselves. Sides are written once, on
-/// points (constraints/side.h), and pulled back.
+/// letter), or x, y, theta per cube, where rods hold by themselves. Rows of
+/// contacts are those of contact_rows.h.
 ///
 /// References: Gauss, "Über ein neues allgemeines Grundgesetz der Mechanik", Crelle 4 (1829) 232;
 /// Moreau, "Unilateral contact and dry friction in finite freedom dynamics", CISM 302 (1988).
@@ -21,8 +22,7 @@
 #include <vector>
 
 #include "core/constraints/islands.h"
-#include "core/constraints/side.h"
-#include "core/dynamics/pull_back.h"
+#include "core/dynamics/contact_rows.h"
 #include "core/qp/quadratic_program.h"
 #include "core/settings.h"
 
@@ -58,7 +58,6 @@ class ProgramBuilder {
                                           const std::vector<double>& x) const;
 
  private:
-  enum class Order { position, velocity, acceleration };
   void begin(const State& state,
              const Island& island,
              Order order,
@@ -70,7 +69,7 @@ class ProgramBuilder {
                  Order order);
   void add_side(const State& state, const Contact& contact, SideUse use, Order order);
   void add_point_entries(const Contact& contact, const SideRow& row);
-  void add_rigid_entries(const State& state, const Contact& contact, const SideRow& row, double& c);
+  void add_rigid_entries(const Contact& contact, const ContactRow& row);
 
   const System* system_;
   Formulation formulation_;

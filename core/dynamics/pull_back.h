@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/geometry/vec2.h"
+#include "core/model/state.h"
 
 namespace wuerfel {
 
@@ -20,6 +20,11 @@ inline void pull_back(const Vec2& g, const Vec2& r, double omega, RigidRow& row)
   row.g[1] += g.y();
   row.g[2] += g.dot(perp(r));
   row.centripetal -= omega * omega * g.dot(r);
+}
+
+/// Acceleration of the point at arm r of a cube that turns at `omega` and accelerates by `a`.
+inline Vec2 point_acceleration(const Twist& a, double omega, const Vec2& r) {
+  return a.linear + a.angular * perp(r) - omega * omega * r;
 }
 
 }  // namespace wuerfel

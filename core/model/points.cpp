@@ -72,16 +72,4 @@ BodyState nearest_cube(const CubePoints& points,
   return state;
 }
 
-double rod_error(const CubePoints& points, const Vec2& size) {
-  const auto arms = turned_arms(0.0, size);
-  double worst = 0.0;
-  for (const RodEnds& rod : cube_rods) {
-    const auto i = static_cast<std::size_t>(rod.i);
-    const auto j = static_cast<std::size_t>(rod.j);
-    const double length = (arms[i] - arms[j]).norm();
-    worst = std::max(worst, std::abs((points.p[i] - points.p[j]).norm() / length - 1.0));
-  }
-  return worst;
-}
-
 }  // namespace wuerfel

@@ -45,7 +45,4 @@ Twist rigid_part(const std::array<Vec2, points_per_cube>& rates,
                  const std::array<Vec2, points_per_cube>& arms,
                  const std::array<PointMass, points_per_cube>& masses);
 
-/// Largest relative change of a rod's length.
-double rod_error(const CubePoints& points, const Vec2& size);
-
 }  // namespace wuerfel

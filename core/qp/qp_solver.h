@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,13 @@ enum class QpStatus {
   unavailable,  ///< the solver could not be loaded; QpSolver::trouble() says why
 };
 std::string_view to_string(QpStatus status);
+
+/// A program that no solver has answered, because it is malformed or the solver is missing. The text
+/// is QpSolver::trouble().
+class SolverError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Optimality residual of a point, found by an independent function. All four are relative: forces
 /// to the largest force at hand (a multiplier times its row, or a weight M f), accelerations to the

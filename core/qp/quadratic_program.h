@@ -9,8 +9,9 @@
 ///
 ///     equality (rod)              (-inf, inf)   J x  = b
 ///     inequality (side)           [0, inf)      J x >= b,  lambda >= 0,  lambda (J x - b) = 0
-///     bounded (Coulomb friction)  [-r, r]       lambda = r where J x < b, -r where J x > b,
-///     between them J x = b
+///     bounded (Coulomb friction)  [-r, r]       J x  = b  where |lambda| < r,
+///                                               J x <= b  where lambda = r,
+///                                               J x >= b  where lambda = -r
 ///
 /// so that friction needs no second problem type. Nothing here knows of cubes.
 #pragma once
@@ -48,6 +49,33 @@ struct QuadraticProgram {
   }
   [[nodiscard]] std::span<const double> entry(int e) const {
     return {coefficients.data() + e * block_size, static_cast<std::size_t>(block_size)};
+  }
+
+  /// start + J x of a row; `x` of size n.
+  [[nodiscard]] double row_value(int row,
+                                 const std::vector<double>& x,
+                                 double start = 0.0) const {
+    double sum = start;
+    for (int e = row_start[row]; e < row_start[row + 1]; ++e) {
+      const double* g = coefficients.data() + e * block_size;
+      const double* y = x.data() + entry_block[e] * block_size;
+      for (int c = 0; c < block_size; ++c)
+        sum += g[c] * y[c];
+    }
+    return sum;
+  }
+  /// J x - b of a row.
+  [[nodiscard]] double slack(int row, const std::vector<double>& x) const {
+    return row_value(row, x, -bound[row]);
+  }
+  /// forces += J' multiplier of a row; `forces` of size n.
+  void add_row_force(int row, double multiplier, std::vector<double>& forces) const {
+    for (int e = row_start[row]; e < row_start[row + 1]; ++e) {
+      const double* g = coefficients.data() + e * block_size;
+      double* f = forces.data() + entry_block[e] * block_size;
+      for (int c = 0; c < block_size; ++c)
+        f[c] += g[c] * multiplier;
+    }
   }
 
   /// Forgets the program and keeps the memory.

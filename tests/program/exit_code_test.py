@@ -2,9 +2,10 @@
 import json
 import os
 import signal
+import shutil
 import subprocess
 
-from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main
+from program import FALLING, FLYING, LANDING, PROGRAM, STANDING, ProgramTest, main
 
 
 class Usage(ProgramTest):
@@ -153,6 +154,28 @@ class Check(ProgramTest):
     def test_nobody_reading_is_an_output_error(self):
         with open("/dev/full", "w") as full:
             self.expect(5, "check", self.scene(STANDING), "--json", capture_output=False, stdout=full)
+
+
+class MissingSolver(ProgramTest):
+    """Without its module Ipopt solves nothing: the run ends at once and says why."""
+
+    def refuse(self, *arguments):
+        os.mkdir(self.path("alone"))
+        program = shutil.copy(PROGRAM, self.path("alone/wuerfel"))
+        # Found before the module on the run path, and no library.
+        with open(self.path("alone/libwuerfel_ipopt.so"), "w"):
+            pass
+        done = subprocess.run([program, *arguments, "--solver", "ipopt"], capture_output=True, text=True, timeout=10,
+                              env={**os.environ, "LD_LIBRARY_PATH": self.path("alone")})
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("the Ipopt module libwuerfel_ipopt.so cannot be loaded", done.stderr)
+        self.assertEqual(done.stdout, "")
+
+    def test_ends_a_check(self):
+        self.refuse("check", self.scene(STANDING))
+
+    def test_ends_a_run(self):
+        self.refuse("run", self.scene(FALLING), "--json")
 
 
 class Run(ProgramTest):

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/points.h"
+#include "core/constraints/rod.h"
 
 namespace wuerfel {
 namespace {
@@ -51,7 +51,7 @@ const Moment& SteppedMotion::now_with_forces() {
 void SteppedMotion::note_rods() {
   for (std::size_t i = 0; i < grid_.state.size(); ++i) {
     const Vec2& size = system_->bodies[i].size;
-    const double error = rod_error(points_of(grid_.state[i], size), size);
+    const double error = largest_rod_error(points_of(grid_.state[i], size), size);
     book_.audit.max_rod_error = std::max(book_.audit.max_rod_error, error);
   }
 }

@@ -36,5 +36,14 @@ TEST(Rod, AccelerationRowMatchesSecondDifference) {
   }
 }
 
+TEST(Rod, OfASoundCubeHasNoError) {
+  const Vec2 size(2.0, 0.5);
+  CubePoints points = points_of({{3.0, 4.0}, 0.7, {1.0, 0.0}, 2.0}, size);
+  EXPECT_LE(largest_rod_error(points, size), 4e-15);
+  // Along the first rod, of length 2, and mostly along the spoke, whose square is 1.0625.
+  points.p[1] += 1e-6 * (points.p[1] - points.p[0]);
+  EXPECT_NEAR(largest_rod_error(points, size), 2e-6 / 1.0625, 1e-11);
+}
+
 }  // namespace
 }  // namespace wuerfel::test

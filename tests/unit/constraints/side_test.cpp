@@ -33,6 +33,11 @@ struct Triple {
   [[nodiscard]] double area(double t) const { return side_area(i.at(t), j.at(t), k.at(t)); }
 };
 
+/// How far p_k has slid along a rigid side, times the side's length: its place in the side's frame.
+double slide(const Vec2& p_i, const Vec2& p_j, const Vec2& p_k) {
+  return (p_k - p_i).dot(p_i - p_j);
+}
+
 double value(const SideRow& row, const Vec2& x_i, const Vec2& x_j, const Vec2& x_k) {
   return row.g_i.dot(x_i) + row.g_j.dot(x_j) + row.g_k.dot(x_k) + row.c;
 }
@@ -85,48 +90,96 @@ TEST_P(SideAt, AccelerationRowOfDeterminantsIsThatOfThePaper) {
   }
 }
 
+/// A side carried by one cube and a corner carried by another, both turning; the corner is at
+/// `alpha` of the side and stays on its line to first order.
+struct CarriedTriple {
+  CubicMotion a, b, turn_a, turn_b;
+  Vec2 arm_i, arm_j, arm_k;
+
+  CarriedTriple(RandomNumbers& random, double alpha)
+      : a(random),
+        b(random),
+        turn_a(random),
+        turn_b(random),
+        arm_i(random.next_vec2()),
+        arm_j(random.next_vec2()),
+        arm_k(random.next_vec2()) {
+    b.c[0] = a.c[0] + alpha * arm_j + (1.0 - alpha) * arm_i - arm_k;
+    const Vec2 n = perp(arm_j - arm_i);
+    b.c[1] -= n.dot(v_k() - alpha * v_j() - (1.0 - alpha) * v_i()) / n.squaredNorm() * n;
+  }
+  [[nodiscard]] static Vec2 carried(const CubicMotion& x,
+                                    const CubicMotion& turn,
+                                    const Vec2& arm,
+                                    double t) {
+    const double phi = turn.at(t).x() - turn.at(0.0).x();
+    return x.at(t) + std::cos(phi) * arm + std::sin(phi) * perp(arm);
+  }
+  [[nodiscard]] Vec2 p_i(double t) const { return carried(a, turn_a, arm_i, t); }
+  [[nodiscard]] Vec2 p_j(double t) const { return carried(a, turn_a, arm_j, t); }
+  [[nodiscard]] Vec2 p_k(double t) const { return carried(b, turn_b, arm_k, t); }
+  [[nodiscard]] double spin_a() const { return turn_a.v().x(); }
+  [[nodiscard]] double spin_b() const { return turn_b.v().x(); }
+  [[nodiscard]] Vec2 v_i() const { return a.v() + spin_a() * perp(arm_i); }
+  [[nodiscard]] Vec2 v_j() const { return a.v() + spin_a() * perp(arm_j); }
+  [[nodiscard]] Vec2 v_k() const { return b.v() + spin_b() * perp(arm_k); }
+
+  /// The value of a row on points in the accelerations of the two cubes.
+  [[nodiscard]] double pulled_back(const SideRow& row) const {
+    RigidRow on;
+    RigidRow from;
+    pull_back(row.g_k, arm_k, spin_b(), on);
+    pull_back(row.g_i, arm_i, spin_a(), from);
+    pull_back(row.g_j, arm_j, spin_a(), from);
+    return on.g[0] * b.a().x() + on.g[1] * b.a().y() + on.g[2] * turn_b.a().x()
+           + from.g[0] * a.a().x() + from.g[1] * a.a().y() + from.g[2] * turn_a.a().x()
+           + on.centripetal + from.centripetal + row.c;
+  }
+};
+
 TEST_P(SideAt, PulledBackRowMatchesSecondDifferenceOfRigidMotions) {
   RandomNumbers random(5);
   for (int trial = 0; trial < trials; ++trial) {
-    // A cube that carries the side and one that carries the corner, both turning.
-    const double alpha = GetParam();
-    const Vec2 arm_i = random.next_vec2();
-    const Vec2 arm_j = random.next_vec2();
-    const Vec2 arm_k = random.next_vec2();
-    CubicMotion a(random);
-    CubicMotion b(random);
-    const CubicMotion turn_a(random);
-    const CubicMotion turn_b(random);
-    b.c[0] = a.c[0] + alpha * arm_j + (1.0 - alpha) * arm_i - arm_k;
-    const auto carried = [](const CubicMotion& x, const CubicMotion& turn, const Vec2& arm,
-                            double t) {
-      const double phi = turn.at(t).x() - turn.at(0.0).x();
-      return Vec2(x.at(t) + std::cos(phi) * arm + std::sin(phi) * perp(arm));
-    };
-    const double spin_a = turn_a.v().x();
-    const double spin_b = turn_b.v().x();
-    const Vec2 v_i = a.v() + spin_a * perp(arm_i);
-    const Vec2 v_j = a.v() + spin_a * perp(arm_j);
-    Vec2 v_k = b.v() + spin_b * perp(arm_k);
-    const Vec2 n = perp(arm_j - arm_i);
-    const Vec2 shift = -n.dot(v_k - alpha * v_j - (1.0 - alpha) * v_i) / n.squaredNorm() * n;
-    b.c[1] += shift;
-    v_k += shift;
+    const CarriedTriple m(random, GetParam());
+    const SideRow row =
+        side_acceleration_row(m.arm_i, m.arm_j, GetParam(), m.v_i(), m.v_j(), m.v_k());
+    const auto area = [&](double t) { return side_area(m.p_i(t), m.p_j(t), m.p_k(t)); };
+    EXPECT_NEAR(m.pulled_back(row), second_difference(area, second_step), second_tolerance);
+  }
+}
 
-    const SideRow row = side_acceleration_row(arm_i, arm_j, alpha, v_i, v_j, v_k);
-    RigidRow on;
-    RigidRow from;
-    pull_back(row.g_k, arm_k, spin_b, on);
-    pull_back(row.g_i, arm_i, spin_a, from);
-    pull_back(row.g_j, arm_j, spin_a, from);
-    const double rigid = on.g[0] * b.a().x() + on.g[1] * b.a().y() + on.g[2] * turn_b.a().x()
-                         + from.g[0] * a.a().x() + from.g[1] * a.a().y()
-                         + from.g[2] * turn_a.a().x() + on.centripetal + from.centripetal + row.c;
-    const auto area = [&](double t) {
-      return side_area(carried(a, turn_a, arm_i, t), carried(a, turn_a, arm_j, t),
-                       carried(b, turn_b, arm_k, t));
-    };
-    EXPECT_NEAR(rigid, second_difference(area, second_step), second_tolerance);
+TEST_P(SideAt, TangentRowIsTheRateOfTheSlide) {
+  RandomNumbers random(6);
+  for (int trial = 0; trial < trials; ++trial) {
+    const CarriedTriple m(random, GetParam());
+    const SideRow row = side_tangent_row(m.arm_i, m.arm_j, GetParam());
+    const auto place = [&](double t) { return slide(m.p_i(t), m.p_j(t), m.p_k(t)); };
+    EXPECT_NEAR(value(row, m.v_i(), m.v_j(), m.v_k()), first_difference(place, first_step),
+                first_tolerance);
+  }
+}
+
+TEST_P(SideAt, PulledBackTangentRowMatchesSecondDifferenceOfTheSlide) {
+  RandomNumbers random(7);
+  for (int trial = 0; trial < trials; ++trial) {
+    const CarriedTriple m(random, GetParam());
+    const SideRow row =
+        side_tangent_acceleration_row(m.arm_i, m.arm_j, GetParam(), m.v_i(), m.v_j(), m.v_k());
+    const auto place = [&](double t) { return slide(m.p_i(t), m.p_j(t), m.p_k(t)); };
+    EXPECT_NEAR(m.pulled_back(row), second_difference(place, second_step), second_tolerance);
+  }
+}
+
+TEST_P(SideAt, TangentRowIsAlsoTheRateOfAnOpeningCornersSlide) {
+  // Off the line to first order: the convective term counts.
+  RandomNumbers random(8);
+  for (int trial = 0; trial < trials; ++trial) {
+    CarriedTriple m(random, GetParam());
+    m.b.c[1] += 0.5 * perp(m.arm_j - m.arm_i);
+    const SideRow row =
+        side_tangent_acceleration_row(m.arm_i, m.arm_j, GetParam(), m.v_i(), m.v_j(), m.v_k());
+    const auto place = [&](double t) { return slide(m.p_i(t), m.p_j(t), m.p_k(t)); };
+    EXPECT_NEAR(m.pulled_back(row), second_difference(place, second_step), second_tolerance);
   }
 }
 

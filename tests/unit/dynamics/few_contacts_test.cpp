@@ -53,7 +53,6 @@ TEST(FewContacts, SayWhatTheProgramSays) {
   ProgramBuilder builder(stack.system, Formulation::rigid);
   EqualitySolver solver;
   FewContacts few;
-  using Order = FewContacts::Order;
   for (const Order order : {Order::acceleration, Order::velocity, Order::position}) {
     if (order == Order::acceleration) builder.acceleration(stack.state, stack.island, use);
     if (order == Order::velocity) builder.velocity(stack.state, stack.island, use);
@@ -76,7 +75,7 @@ TEST(FewContacts, GiveUpWhereRowsDependOnOneAnother) {
   Stack stack = make_stack();
   stack.island.contacts.push_back(stack.island.contacts.front());
   FewContacts few;
-  few.build(stack.system, stack.state, stack.island, FewContacts::Order::velocity);
+  few.build(stack.system, stack.state, stack.island, Order::velocity);
   std::vector<double> x, forces;
   EXPECT_FALSE(few.solve(x, forces));
 }

@@ -1,0 +1,51 @@
+#include "core/dynamics/contact_rows.h"
+
+#include "core/dynamics/pull_back.h"
+
+namespace wuerfel {
+namespace {
+
+SideRow scaled(const SideRow& row, double scale) {
+  return {row.g_i * scale, row.g_j * scale, row.g_k * scale, row.c * scale};
+}
+
+}  // namespace
+
+SideRow normal_row(const System& system, const State& state, const Contact& c, Order order) {
+  SideRow row = side_velocity_row(c.arm_i, c.arm_j, c.alpha);
+  if (order == Order::acceleration) {
+    const ContactVelocity v = contact_velocity(system, state, c);
+    row = side_acceleration_row(c.arm_i, c.arm_j, c.alpha, v.v_i, v.v_j, v.v_k);
+  }
+  row = scaled(row, 1.0 / c.length);
+  if (order == Order::position) row.c = c.gap;
+  return row;
+}
+
+SideRow tangential_row(const System& system, const State& state, const Contact& c, Order order) {
+  SideRow row = side_tangent_row(c.arm_i, c.arm_j, c.alpha);
+  if (order == Order::acceleration) {
+    const ContactVelocity v = contact_velocity(system, state, c);
+    row = side_tangent_acceleration_row(c.arm_i, c.arm_j, c.alpha, v.v_i, v.v_j, v.v_k);
+  }
+  return scaled(row, 1.0 / c.length);
+}
+
+ContactRow pull_back(const System& system,
+                     const State& state,
+                     const Contact& contact,
+                     Order order,
+                     const SideRow& row) {
+  RigidRow on;
+  RigidRow from;
+  if (system.is_cube(contact.on)) pull_back(row.g_k, contact.arm_k, state[contact.on].spin, on);
+  if (system.is_cube(contact.from)) {
+    const double omega = state[contact.from].spin;
+    pull_back(row.g_i, contact.arm_i, omega, from);
+    pull_back(row.g_j, contact.arm_j, omega, from);
+  }
+  const bool accelerates = order == Order::acceleration;
+  return {on.g, from.g, accelerates ? row.c + (on.centripetal + from.centripetal) : row.c};
+}
+
+}  // namespace wuerfel
