@@ -33,12 +33,16 @@ void note_overlap(double depth, double side, Audit& audit) {
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
   ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
+  book.cost.qp_iterations += solution.iterations;
   // That there is no solution is an answer.
   if (solution.status == QpStatus::infeasible) {
     ++book.audit.wedged;
     return;
   }
-  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
+  const bool answered =
+      solution.status == QpStatus::optimal || solution.status == QpStatus::inaccurate;
+  const double residual = answered ? solution.residual : unbounded;
+  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, residual);
   if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
 }
 
