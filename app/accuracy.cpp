@@ -13,7 +13,7 @@ constexpr double promised_overlap = 1.01e-9;
 
 }  // namespace
 
-ExitCode verdict_on_accuracy(const Audit& audit) {
+ExitCode verdict_on_accuracy(const Audit& audit, double force_residual) {
   if (audit.missed_solves > 0) {
     fmt::print(stderr,
                "wuerfel: {} programs were solved less exactly than asked for, the worst with a "
@@ -41,6 +41,13 @@ ExitCode verdict_on_accuracy(const Audit& audit) {
                "wuerfel: energy drifted by {:.2g} J, more than the {:.2g} J that the tolerance "
                "promises; try a smaller --tolerance\n",
                audit.drift(), audit.drift_budget);
+    return ExitCode::undecided;
+  }
+  if (force_residual > QpSettings{}.tolerance) {
+    fmt::print(stderr,
+               "wuerfel: forces were found with a residual of up to {:.2g}, over the error budget; "
+               "the motion does not depend on them\n",
+               force_residual);
     return ExitCode::undecided;
   }
   return ExitCode::fine;

@@ -77,7 +77,8 @@ CLI::App* add_check(CLI::App& program, CheckOptions& options) {
       "check", "tell whether a scene stands: exit 0 stands, 1 falls or moves, 3 undecided");
   add_scene(*app, options.scene);
   app->add_flag("--json", options.json, "print the answer as JSON");
-  add_motion_options(*app, options.motion);
+  add_program_options(*app, options.motion);
+  refuse_motion_options(*app);
   return app;
 }
 
@@ -192,8 +193,14 @@ std::optional<Command> parse_command_line(int argc,
   } catch (const RenderError& error) {
     throw UsageError(error.what());
   }
-  if (run_app->parsed()) require_one_on_stdout(run_options);
-  if (figure_app->parsed()) require_still(figure_options);
+  if (run_app->parsed()) {
+    require_one_on_stdout(run_options);
+    require_effect(*run_app, run_options.motion);
+  }
+  if (figure_app->parsed()) {
+    require_still(figure_options);
+    require_effect(*figure_app, figure_options.still.motion);
+  }
   if (run_app->parsed()) return [run_options] { return run(run_options); };
   if (check_app->parsed()) return [check_options] { return check(check_options); };
   if (figure_app->parsed()) return [figure_options] { return figure(figure_options); };

@@ -22,7 +22,7 @@ void Film::open_pipeline() {
       fmt::format("{} --fps {} --speed {} {}", option_text(fitted_), options_.rate.fps,
                   options_.rate.speed, option_text(options_.motion));
   pipeline_.emplace(
-      PipelineSettings{make_style(fitted_.theme), frame_options(fitted_, scene_),
+      PipelineSettings{make_style(fitted_.theme), frame_options(fitted_),
                        origin_texts(settings, normalised_scene(scene_)), fitted_.encoder},
       outputs_.pipeline_outputs());
 }

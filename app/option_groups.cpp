@@ -34,16 +34,47 @@ void add_scene(CLI::App& app, SceneChoice& scene) {
             [&scene](const Text& text) { scene.overrides.push_back(text); });
 }
 
-void add_motion_options(CLI::App& app, MotionSettings& motion) {
-  add_choice(app, "--integrator", "how time is stepped", motion.integrator);
+void add_program_options(CLI::App& app, MotionSettings& motion) {
   add_choice(app, "--formulation", "unknowns of the program", motion.formulation);
   add_choice(app, "--solver", "who solves the program", motion.solver);
+}
+
+void add_motion_options(CLI::App& app, MotionSettings& motion) {
+  add_choice(app, "--integrator", "how time is stepped", motion.integrator);
+  add_program_options(app, motion);
   add_single(
       app, "--tolerance", "TOL", "error budget of states [1e-8]",
       [&motion](const Text& text) { motion.tolerance = parse_positive("--tolerance", text); });
   add_single(app, "--step", "DT",
              "time step of rattle (at most), moreau, symplectic and euler in s [1/240]",
              [&motion](const Text& text) { motion.step = parse_positive("--step", text); });
+}
+
+void refuse_motion_options(CLI::App& app) {
+  for (const char* name : {"--integrator", "--tolerance", "--step"}) {
+    add_value(app, name, "", "", [name](const Text& /*value*/) {
+      throw UsageError(fmt::format(
+          "{} has no effect here: nothing moves; what can be chosen is --formulation and --solver",
+          name));
+    })->group("");
+  }
+}
+
+void require_effect(const CLI::App& app, const MotionSettings& motion) {
+  const bool by_events =
+      motion.integrator == Integrator::automatic || motion.integrator == Integrator::event;
+  const bool by_error = by_events || motion.integrator == Integrator::rattle;
+  const auto refuse = [&](const char* option, const char* reason, const char* others) {
+    throw UsageError(fmt::format("{} has no effect with --integrator {}, {}; it has with {}",
+                                 option, to_string(motion.integrator), reason, others));
+  };
+  if (by_events && app.count("--step") > 0)
+    refuse("--step", "whose steps follow from --tolerance", "rattle, moreau, symplectic and euler");
+  if (!by_error && app.count("--tolerance") > 0)
+    refuse("--tolerance", "whose error follows from --step", "auto, event and rattle");
+  if (by_events && motion.formulation == Formulation::points)
+    refuse("--formulation points", "which moves rigid bodies from event to event",
+           "rattle, moreau, symplectic and euler, and in `wuerfel check`");
 }
 
 void add_picture_options(CLI::App& app, PictureOptions& picture) {

@@ -52,7 +52,14 @@ void add_choice(CLI::App& app, const std::string& name, const std::string& meani
 
 /// SCENE and --set.
 void add_scene(CLI::App& app, SceneChoice& scene);
+/// --formulation and --solver.
+void add_program_options(CLI::App& app, MotionSettings& motion);
+/// The same with --integrator, --tolerance and --step.
 void add_motion_options(CLI::App& app, MotionSettings& motion);
+/// Options of motions are answered with the reason why they have no effect.
+void refuse_motion_options(CLI::App& app);
+/// Throws UsageError where one of the motion options given has no effect with the integrator.
+void require_effect(const CLI::App& app, const MotionSettings& motion);
 void add_picture_options(CLI::App& app, PictureOptions& picture);
 /// --encoder.
 void add_encoder_option(CLI::App& app, PngEncoder& encoder);

@@ -159,11 +159,13 @@ void ForceFinder::accelerate(IslandForces& of, IslandDynamics& dynamics) const {
 
 void ForceFinder::sum_up(Detail detail) {
   now_.accelerations.clear();
+  now_.at_rest = false;
+  now_.solved = true;
+  now_.residual = 0.0;
   if (detail == Detail::contacts) return;
   const bool falls = !system_->gravity.isZero(0.0);
   now_.accelerations.assign(state_.size(), {system_->gravity, 0.0});
-  now_.at_rest = now_.solved = true;
-  now_.residual = 0.0;
+  now_.at_rest = true;
   std::vector<char> free(state_.size(), 1);
   for (const IslandForces& of : now_.islands) {
     for (std::size_t k = 0; k < of.island.cubes.size(); ++k) {

@@ -55,6 +55,20 @@ class Usage(ProgramTest):
         self.assertIn("symplectic", self.refuse("run", self.scene(FLYING), "--integrator", "symplektic"))
         self.assertIn("cubes", self.refuse("run", self.scene(FLYING), "--layers", "cube"))
 
+    def test_options_without_effect_are_refused_with_those_that_have_one(self):
+        scene = self.scene(FLYING)
+        for arguments, named in ((("--step", "0.01"), "rattle"), (("--step", "0.01", "--integrator", "event"), "moreau"),
+                                 (("--tolerance", "1e-9", "--integrator", "euler"), "auto"),
+                                 (("--formulation", "points"), "check"), (("--formulation", "points", "--integrator", "event"), "euler")):
+            with self.subTest(arguments):
+                self.assertIn(named, self.refuse("run", scene, *arguments))
+                self.refuse("figure", scene, "-o", "a.png", *arguments)
+        for arguments in (("--step", "0.01"), ("--integrator", "event"), ("--tolerance", "1e-9")):
+            with self.subTest(arguments):
+                self.assertIn("--formulation and --solver", self.refuse("check", scene, *arguments))
+        self.expect(0, "run", scene, "--integrator", "rattle", "--step", "0.01", "--tolerance", "1e-7", "--formulation", "points")
+        self.expect(1, "check", scene, "--formulation", "points", "--solver", "ipopt")
+
     def test_too_many_frames_are_refused_before_they_fill_the_memory(self):
         self.refuse("run", self.scene(FLYING), "-o", "f/", "--fps", "1e15")
 
