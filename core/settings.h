@@ -23,12 +23,14 @@ enum class Formulation {
 /// Work that a scene may not need. Each can be switched off, which changes no answer beyond its
 /// residual (tests/equivalence/skips_test.cpp).
 struct Skips {
-  bool free_bodies = true;  ///< no program for a cube that touches nothing: it falls freely
-  bool islands = true;      ///< a program for each group of touching cubes, not one for all
-  bool rest = true;  ///< what rests with a certificate is not touched until a neighbour changes
-  bool certificate =
-      true;  ///< an island's former answer is taken where it still passes the optimality test
+  /// No program and no steps for a cube that touches nothing: its fall is a parabola.
+  bool free_bodies = true;
+  bool islands = true;  ///< a program for each group of touching cubes, not one for all
+  bool rest = true;     ///< what rests with a certificate is not touched until a neighbour changes
+  /// An island's former answer is taken where it still passes the optimality test.
+  bool certificate = true;
   bool warm_start = true;  ///< solvers start from what they remember of the island
+  bool looks = true;       ///< forces of what is as it was at the last look are not found again
 };
 
 struct MotionSettings {

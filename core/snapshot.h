@@ -39,9 +39,9 @@ struct SnapshotForce {
   Vec2 point = Vec2::Zero();  ///< m
   Vec2 force = Vec2::Zero();  ///< N, acts on the body that it points into
   ForceKind kind = ForceKind::contact;
-  int body =
-      -1;  ///< index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a
-           ///< little towards it, so that forces on neighbours at one point don't hide each other
+  /// Index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a little
+  /// towards it, so that forces on neighbours at one point don't hide each other.
+  int body = -1;
   bool operator==(const SnapshotForce&) const = default;
 };
 
@@ -80,6 +80,16 @@ struct SnapshotSide {
   bool operator==(const SnapshotSide&) const = default;
 };
 
+/// What a snapshot should contain beyond bodies; each costs work only where it is asked for.
+struct SnapshotRequest {
+  bool forces = false;
+  bool rods = false;
+  bool rod_forces = false;
+  bool points = false;
+  bool contacts = false;
+  bool sides = false;
+};
+
 /// Where the centre of a cube has been up to now, oldest first.
 struct SnapshotTrail {
   int color_index = 0;
@@ -90,8 +100,9 @@ struct SnapshotTrail {
 struct Snapshot {
   double time = 0.0;  ///< s
   std::string title;
-  double energy = 0.0;         ///< J, kinetic and potential
-  std::uint64_t revision = 0;  ///< equal revisions: equal pictures but for the time shown
+  double energy = 0.0;          ///< J, kinetic and potential
+  double force_residual = 0.0;  ///< of the forces; as QpResidual::worst() in core/qp/qp_solver.h
+  std::uint64_t revision = 0;   ///< equal revisions: equal pictures but for the time shown
   std::vector<SnapshotBox> boxes;
   std::vector<SnapshotPlane> planes;
   std::vector<SnapshotForce> forces;

@@ -68,7 +68,7 @@ std::vector<std::uint8_t> encode(const Still& still, const FigureOptions& asked,
 ExitCode figure(const FigureOptions& asked, const Options& options) {
   require_still(asked);
   Notes notes;
-  note_idle_motion_options(options, asked.still.motion, notes);
+  require_effect(options, asked.still.motion);
   note_idle_picture_options(options, asked.still.picture.layers, notes);
   if (vector_format(lower_case(asked.output)))
     note_idle(options, {"--encoder"}, "for .svg and .pdf", notes);
@@ -81,7 +81,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const Still still = compose_still(scene, still_options, stop, font);
   output.write(encode(still, asked, font));
   output.finish();
-  return verdict_on_accuracy(still.audit, notes);
+  return verdict_on_accuracy(still.audit, 0.0, notes);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/exit_code.h"
+
 namespace wuerfel {
 
 void note_idle(const Options& options,
@@ -13,27 +15,21 @@ void note_idle(const Options& options,
   }
 }
 
-void note_idle_motion_options(const Options& options, const MotionSettings& motion, Notes& notes) {
-  const std::string with = fmt::format("with --integrator {}", to_string(motion.integrator));
-  switch (motion.integrator) {
-    case Integrator::automatic:
-    case Integrator::event:
-      note_idle(options, {"--step"}, with, notes);
-      if (motion.formulation == Formulation::points) {
-        notes.add(fmt::format(
-            "--formulation points {} says how the programs of events are written; between events "
-            "cubes move as rigid bodies",
-            with));
-      }
-      break;
-    case Integrator::rattle:
-      break;
-    case Integrator::moreau:
-    case Integrator::euler:
-    case Integrator::symplectic:
-      note_idle(options, {"--tolerance"}, with, notes);
-      break;
-  }
+void require_effect(const Options& options, const MotionSettings& motion) {
+  const bool by_events =
+      motion.integrator == Integrator::automatic || motion.integrator == Integrator::event;
+  const bool by_error = by_events || motion.integrator == Integrator::rattle;
+  const auto refuse = [&](const char* option, const char* reason, const char* others) {
+    throw UsageError(fmt::format("{} has no effect with --integrator {}, {}; it has with {}",
+                                 option, to_string(motion.integrator), reason, others));
+  };
+  if (by_events && options.given("--step"))
+    refuse("--step", "whose steps follow from --tolerance", "rattle, moreau, symplectic and euler");
+  if (!by_error && options.given("--tolerance"))
+    refuse("--tolerance", "whose error follows from --step", "auto, event and rattle");
+  if (by_events && motion.formulation == Formulation::points)
+    refuse("--formulation points", "which moves rigid bodies from event to event",
+           "rattle, moreau, symplectic and euler, and in `wuerfel check`");
 }
 
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes) {

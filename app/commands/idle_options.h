@@ -14,8 +14,8 @@ void note_idle(const Options& options,
                const std::string& reason,
                Notes& notes);
 
-/// Motion options that the integrator does not read.
-void note_idle_motion_options(const Options& options, const MotionSettings& motion, Notes& notes);
+/// Throws UsageError where one of the motion options given has no effect with the integrator.
+void require_effect(const Options& options, const MotionSettings& motion);
 
 /// Picture options of layers that are not drawn.
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);

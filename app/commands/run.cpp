@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -20,7 +21,7 @@ namespace wuerfel {
 namespace {
 
 void note_idle_options(const RunOptions& asked, const Options& options, Notes& notes) {
-  note_idle_motion_options(options, asked.motion, notes);
+  require_effect(options, asked.motion);
   if (asked.outputs.empty()) {
     note_idle(options,
               {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
@@ -59,6 +60,7 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   const MotionSource source{scene, asked.motion, plan.instants, plan.request, stop};
   Film film(asked.picture, asked.rate, source, pictures);
   std::vector<Sample> samples;
+  double worst_force = 0.0;  // residual
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
   Progress progress(style, "simulating", plan.end, "s");
   for (const Instant& instant : plan.instants) {
@@ -70,6 +72,7 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
     Snapshot snapshot = simulation.snapshot(plan.request);
     tables.add_states(instant.t, scene, simulation.states());
     tables.add_forces(snapshot);
+    if (!asked.forces.empty()) worst_force = std::max(worst_force, snapshot.force_residual);
     if (!pictures.empty()) film.add(std::move(snapshot));
   }
   progress.end();
@@ -80,8 +83,9 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   cost.frames_reused = film.reused();
   cost.wall_s = watch.wall();
   cost.cpu_s = watch.cpu();
-  const ExitCode code = verdict_on_accuracy(simulation.audit(), notes);
-  const auto summary = run_summary(scene, asked.motion, simulation, samples, notes, cost);
+  const ExitCode code = verdict_on_accuracy(simulation.audit(), worst_force, notes);
+  auto summary = run_summary(scene, asked.motion, simulation, samples, notes, cost);
+  if (!asked.forces.empty()) summary["forces"] = {{"max_kkt_residual", worst_force}};
   summary_file.write(json_text(summary, {}));
   return {code, form.json ? json_text(summary, form) : ""};
 }

@@ -20,7 +20,7 @@ void Film::open_pipeline() {
   const std::string settings = fmt::format("{} --fps {} --speed {} {}", option_text(fitted_),
                                            rate_.fps, rate_.speed, option_text(source_.motion));
   pipeline_.emplace(
-      PipelineSettings{make_style(fitted_.theme), frame_options(fitted_, source_.scene),
+      PipelineSettings{make_style(fitted_.theme), frame_options(fitted_),
                        origin_texts(settings, normalised_scene(source_.scene)), fitted_.encoder},
       outputs_.pipeline_outputs());
 }

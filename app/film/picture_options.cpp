@@ -39,13 +39,6 @@ Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
   return camera;
 }
 
-bool has_friction(const Scene& scene) {
-  const auto rubs = [](const auto& body) { return body.material.friction > 0.0; };
-  return std::ranges::any_of(scene.cubes, rubs)
-         || std::ranges::any_of(scene.pairs,
-                                [](const ScenePair& pair) { return pair.friction > 0.0; });
-}
-
 }  // namespace
 
 ForceScaleChoice parse_force_scale(std::string_view text) {
@@ -88,14 +81,13 @@ PictureOptions fit_to_motion(PictureOptions options, const Recording& motion) {
   return options;
 }
 
-FrameOptions frame_options(const PictureOptions& fitted, const Scene& scene) {
+FrameOptions frame_options(const PictureOptions& fitted) {
   FrameOptions frame;
   frame.layers = fitted.layers;
   frame.scale = fitted.scale;
   if (fitted.force_scale) frame.force_scale = fitted.force_scale->whole.value_or(ForceScale{});
   frame.metres_per_speed = fitted.velocity_scale.value_or(0.0);
   frame.full_rod_force = fitted.rod_scale.value_or(0.0);
-  if (has_friction(scene)) frame.legend.push_back(ForceKind::friction);
   return frame;
 }
 

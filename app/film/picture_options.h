@@ -48,7 +48,7 @@ bool needs_whole_motion(const PictureOptions& options);
 PictureOptions fit_to_motion(PictureOptions options, const Recording& motion);
 
 /// What pictures of fitted options are drawn by.
-FrameOptions frame_options(const PictureOptions& fitted, const Scene& scene);
+FrameOptions frame_options(const PictureOptions& fitted);
 
 /// The picture of fitted options that `snapshot` is seen in.
 View view_of(const PictureOptions& fitted, const Snapshot& snapshot);

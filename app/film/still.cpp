@@ -45,10 +45,9 @@ std::vector<Instant> instants_of(const StillOptions& options) {
 std::vector<DrawList> compose_cells(const Recording& motion,
                                     const std::vector<Instant>& instants,
                                     const PictureOptions& fitted,
-                                    const Scene& scene,
                                     Font& font) {
   const Style style = make_style(fitted.theme);
-  const FrameOptions frame = frame_options(fitted, scene);
+  const FrameOptions frame = frame_options(fitted);
   Trails trails;
   std::vector<DrawList> lists;
   auto instant = instants.begin();
@@ -91,7 +90,7 @@ Still compose_still(const Scene& scene,
 
   const PictureOptions fitted =
       fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);
-  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, scene, font);
+  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, font);
 
   still.origin.push_back(time_text(options.times));
   for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(scene)))

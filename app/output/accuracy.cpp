@@ -12,7 +12,7 @@ namespace {
 constexpr double promised_overlap = 1.01e-9;
 
 /// What is less exact than was asked for; empty where nothing is.
-std::string missed_promise(const Audit& audit) {
+std::string missed_promise(const Audit& audit, double force_residual) {
   if (audit.missed_solves > 0) {
     return fmt::format(
         "{} contact problems were solved less exactly than asked for, the worst with a residual of "
@@ -37,13 +37,19 @@ std::string missed_promise(const Audit& audit) {
         "smaller --tolerance",
         audit.drift(), audit.drift_budget);
   }
+  if (force_residual > QpSettings{}.tolerance) {
+    return fmt::format(
+        "forces were found with a residual of up to {:.2g}, over the error budget; the motion does "
+        "not depend on them",
+        force_residual);
+  }
   return {};
 }
 
 }  // namespace
 
-ExitCode verdict_on_accuracy(const Audit& audit, Notes& notes) {
-  const std::string missed = missed_promise(audit);
+ExitCode verdict_on_accuracy(const Audit& audit, double force_residual, Notes& notes) {
+  const std::string missed = missed_promise(audit, force_residual);
   if (missed.empty()) return ExitCode::fine;
   notes.warn(missed);
   return ExitCode::undecided;

@@ -40,7 +40,7 @@ std::string pushed(const Snapshot& snapshot, const SnapshotForce& force) {
 
 Tables::Tables(const std::string& states, const std::string& forces, const std::string& events) {
   if (!states.empty()) states_.emplace(states).write("t,body,x,y,theta,vx,vy,omega\n");
-  if (!forces.empty()) forces_.emplace(forces).write("t,on,kind,x,y,fx,fy\n");
+  if (!forces.empty()) forces_.emplace(forces).write("t,on,kind,x,y,fx,fy,kkt_residual\n");
   if (!events.empty()) events_.emplace(events);
 }
 
@@ -58,9 +58,9 @@ void Tables::add_states(double t, const Scene& scene, const State& states) {
 void Tables::add_forces(const Snapshot& snapshot) {
   if (!forces_) return;
   for (const SnapshotForce& force : snapshot.forces) {
-    forces_->write(fmt::format("{},{},{},{},{},{},{}\n", snapshot.time, pushed(snapshot, force),
+    forces_->write(fmt::format("{},{},{},{},{},{},{},{}\n", snapshot.time, pushed(snapshot, force),
                                kind_name(force.kind), force.point.x(), force.point.y(),
-                               force.force.x(), force.force.y()));
+                               force.force.x(), force.force.y(), snapshot.force_residual));
   }
 }
 

@@ -13,6 +13,26 @@ namespace {
 constexpr double good_misfit = 1e-8;
 constexpr int largest_dense = 200;
 
+/// Multipliers of least norm with the accelerations x, or, where none better are found, those given.
+/// Returns their residual.
+double choose(const QuadraticProgram& program,
+              const std::vector<double>& x,
+              const std::vector<double>& given,
+              Uniqueness uniqueness,
+              LeastNormMultipliers& least) {
+  CanonicalMultipliers().find(program, x, given, uniqueness == Uniqueness::asked, least);
+  if (least.misfit > good_misfit && program.rows() <= largest_dense) {
+    least = least_norm_multipliers(program, x);
+  }
+  const double residual = optimality_residual(program, x, least.multiplier).worst();
+  if (residual <= QpSettings{}.tolerance) return residual;
+  const double of_given = optimality_residual(program, x, given).worst();
+  if (of_given >= residual) return residual;
+  least.multiplier = given;
+  least.unique.assign(given.size(), false);
+  return of_given;
+}
+
 }  // namespace
 
 ContactForces canonical_forces(const System& system,
@@ -24,7 +44,7 @@ ContactForces canonical_forces(const System& system,
   std::vector<SideUse> use;
   std::vector<double> multiplier;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const bool active = contact_motion(system, state, island.contacts[k]) != ContactMotion::opening;
+    const bool active = solution.slacks[k] != unbounded;
     use.push_back(active ? SideUse::inequality : SideUse::none);
     if (active) multiplier.push_back(solution.forces[k]);
   }
@@ -35,12 +55,8 @@ ContactForces canonical_forces(const System& system,
     x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
   }
   LeastNormMultipliers least;
-  CanonicalMultipliers().find(builder.program(), x, multiplier, uniqueness == Uniqueness::asked,
-                              least);
-  if (least.misfit > good_misfit && builder.program().rows() <= largest_dense) {
-    least = least_norm_multipliers(builder.program(), x);
-  }
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 0)};
+  result.residual = choose(builder.program(), x, multiplier, uniqueness, least);
   std::size_t row = 0;
   for (std::size_t k = 0; k < use.size(); ++k) {
     if (use[k] == SideUse::none) {

@@ -20,11 +20,13 @@ struct ContactForces {
   std::vector<double> force;  ///< N, >= 0; one per contact of the island, 0 where it is opening
   std::vector<char>
       unique;  ///< whether no other force here gives the same accelerations; all 0 if ignored
+  double residual = 0.0;  ///< QpResidual::worst() of these very forces with the accelerations
 };
 
 /// Contact forces of least sum of squares that give the accelerations of `solution`, which must be
 /// optimal to about 1e-10. `accelerations` are those of its cubes as they are used (exactly zero in
-/// certified rest).
+/// certified rest). Where none better are found the forces of `solution` are shown, with no claim
+/// that they are unique.
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,

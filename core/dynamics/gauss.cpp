@@ -160,6 +160,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   const QpResult& result = memory.result;
   solution.status = result.status;
   solution.residual = result.residual.worst();
+  solution.iterations = solution.skipped ? 0 : result.iterations;
   solution.forces.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
   if (static_cast<int>(result.x.size()) != program.unknowns()

@@ -16,6 +16,7 @@ struct [[nodiscard]] IslandSolution {
   QpStatus status = QpStatus::invalid;
   double residual = 0.0;       ///< QpResidual::worst()
   bool skipped = false;        ///< the island's former answer passed the test: nothing was solved
+  int iterations = 0;          ///< of the solver
   std::vector<Twist> twists;   ///< per cube: accelerations, or velocities after an impact
   std::vector<double> forces;  ///< per contact: N, or N s; 0 where the contact is not active
   /// Per contact: J x - b, which is the gap's second rate (m/s^2), its rate or the gap itself;

@@ -47,6 +47,7 @@ void note_overlap(double depth, double side, Audit& audit) {
 Cost sum_of(const Cost& a, const Cost& b) {
   return {a.steps + b.steps,
           a.qp_solves + b.qp_solves,
+          a.qp_iterations + b.qp_iterations,
           a.hand_overs + b.hand_overs,
           a.skipped_free + b.skipped_free,
           a.skipped_rest + b.skipped_rest,
@@ -62,12 +63,16 @@ void add(const Bookkeeping& more, Bookkeeping& book) {
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
   ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
+  book.cost.qp_iterations += solution.iterations;
   // That there is no solution is an answer.
   if (solution.status == QpStatus::infeasible) {
     ++book.audit.wedged;
     return;
   }
-  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solution.residual);
+  const bool answered =
+      solution.status == QpStatus::optimal || solution.status == QpStatus::inaccurate;
+  const double residual = answered ? solution.residual : unbounded;
+  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, residual);
   if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
 }
 

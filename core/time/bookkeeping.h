@@ -62,7 +62,8 @@ void note_overlap(double depth, double side, Audit& audit);
 struct Cost {
   long steps = 0;
   long qp_solves = 0;
-  long hand_overs = 0;  ///< times at which events crowded and stepping took over
+  long qp_iterations = 0;  ///< of the solvers
+  long hand_overs = 0;     ///< times at which events crowded and stepping took over
   // Programs answered without a solver, by the reason (Skips in core/settings.h).
   long skipped_free = 0;         ///< cubes that touch nothing
   long skipped_rest = 0;         ///< islands in certified rest

@@ -54,21 +54,21 @@ void unite(std::vector<int>& parent, int i, int j) {
 
 }  // namespace
 
-IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, Moment start)
-    : system_(&system), settings_(settings), looker_(system, settings), moment_(std::move(start)) {
-  scales_ = scales_of(system, moment_.state);
+IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, const State& start)
+    : system_(&system), settings_(settings) {
+  scales_ = scales_of(system, start);
   length_ = first_window * scales_.time;
   budget_ = drift_share * settings.tolerance
-            * (kinetic_energy(system, moment_.state) + scales_.weight * scales_.length);
+            * (kinetic_energy(system, start) + scales_.weight * scales_.length);
   bounds_.resize(system.cubes);
-  group_of_.assign(moment_.state.size(), -1);
-  resting_.assign(moment_.state.size(), 0);
-  stepping_.resize(moment_.state.size());
+  group_of_.assign(start.size(), -1);
+  resting_.assign(start.size(), 0);
+  stepping_.resize(start.size());
   // At the start bodies touch by the scene's tolerance; those that do belong together.
-  predict(moment_.state, 0.0);
+  predict(start, 0.0);
   std::vector<std::vector<int>> parts;
   partition(parts);
-  regroup(moment_.state, parts);
+  regroup(start, parts);
   commit();
   advance_to(0.0);
 }
@@ -77,8 +77,8 @@ void IslandMotion::advance_to(double t) {
   while (end_ <= t && t > 0.0)
     next_window();
   // What was seen when all had come to rest is what is seen later.
-  if (time_ < still_since_) known_ = Known::nothing;
-  time_ = moment_.t = t;
+  if (time_ < still_since_) shown_state_.clear();
+  time_ = t;
   const auto& events = computed_.events;
   for (; next_event_ < events.size() && events[next_event_].t <= t; ++next_event_)
     shown_.events.push_back(events[next_event_]);
@@ -87,28 +87,9 @@ void IslandMotion::advance_to(double t) {
     shown_.audit.impact_loss += losses[next_loss_].energy;
 }
 
-const Moment& IslandMotion::now() {
-  if (known_ != Known::nothing) return moment_;
-  moment_ = {};
-  moment_.t = time_;
-  moment_.state = state_at(time_);
-  note_loaded();
-  known_ = Known::state;
-  return moment_;
-}
-
-const Moment& IslandMotion::now_with_contacts() {
-  now();
-  if (known_ == Known::contacts) return moment_;
-  looker_.observe(moment_, computed_);
-  known_ = Known::contacts;
-  return moment_;
-}
-
-const Moment& IslandMotion::now_with_forces() {
-  now_with_contacts();
-  looker_.accelerate(moment_, computed_);
-  return moment_;
+const State& IslandMotion::state() {
+  if (shown_state_.empty()) shown_state_ = state_at(time_);
+  return shown_state_;
 }
 
 const Bookkeeping& IslandMotion::book() {
@@ -132,7 +113,8 @@ State IslandMotion::state_at(double t) {
 }
 
 /// Contacts of a group, whose cubes are numbered among themselves, in the numbers of all bodies.
-void IslandMotion::note_loaded() {
+std::vector<Contact> IslandMotion::loaded() {
+  std::vector<Contact> contacts;
   for (const Group& group : groups_) {
     const int cubes = static_cast<int>(group.cubes.size());
     const auto of_all = [&](int body) {
@@ -141,9 +123,10 @@ void IslandMotion::note_loaded() {
     for (Contact c : group.track->loaded_at(time_)) {
       c.on = of_all(c.on);
       c.from = of_all(c.from);
-      moment_.loaded.push_back(c);
+      contacts.push_back(c);
     }
   }
+  return contacts;
 }
 
 /// Bounds of what the cubes may sweep within `length` s.

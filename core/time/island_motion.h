@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "core/time/motion.h"
-#include "core/time/reference/stepper.h"
 #include "core/time/track.h"
 
 namespace wuerfel {
@@ -17,13 +16,12 @@ namespace wuerfel {
 /// somebody looks, so that looking does not change the motion.
 class IslandMotion final : public Motion {
  public:
-  IslandMotion(const System& system, const MotionSettings& settings, Moment start);
+  IslandMotion(const System& system, const MotionSettings& settings, const State& start);
 
   void advance_to(double t) override;
   [[nodiscard]] double time() const override { return time_; }
-  const Moment& now() override;
-  const Moment& now_with_contacts() override;
-  const Moment& now_with_forces() override;
+  const State& state() override;
+  std::vector<Contact> loaded() override;
   [[nodiscard]] const Bookkeeping& book() override;
 
  private:
@@ -36,7 +34,6 @@ class IslandMotion final : public Motion {
   void begin_window();
   void move_groups();
   [[nodiscard]] State state_at(double t);
-  void note_loaded();
   void predict(const State& state, double length);
   void partition(std::vector<std::vector<int>>& parts);
   void regroup(const State& state, const std::vector<std::vector<int>>& parts);
@@ -46,7 +43,6 @@ class IslandMotion final : public Motion {
 
   const System* system_;
   MotionSettings settings_;
-  Stepper looker_;
   Scales scales_;
   std::vector<Group> groups_;
   std::vector<int> group_of_;              ///< per cube
@@ -62,11 +58,9 @@ class IslandMotion final : public Motion {
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while
                                                 ///< something does
-  Moment moment_;                               ///< at `time_`, as far as it was asked for
-  enum class Known { nothing, state, contacts };
-  Known known_ = Known::nothing;
-  Bookkeeping computed_;  ///< up to the clocks; events in the order of time
-  Bookkeeping shown_;     ///< up to now
+  State shown_state_;                           ///< at `time_`; empty until it is asked for
+  Bookkeeping computed_;                        ///< up to the clocks; events in the order of time
+  Bookkeeping shown_;                           ///< up to now
   std::size_t next_event_ = 0;
   std::size_t next_loss_ = 0;
 };

@@ -3,8 +3,8 @@
 
 #include <functional>
 
+#include "core/constraints/contact.h"
 #include "core/time/bookkeeping.h"
-#include "core/time/moment.h"
 
 namespace wuerfel {
 
@@ -17,12 +17,11 @@ class Motion {
   /// Moves on to time t exactly; the state is that just after an event that falls on t.
   virtual void advance_to(double t) = 0;
   [[nodiscard]] virtual double time() const = 0;
-  /// Where the motion is: its state.
-  virtual const Moment& now() = 0;
-  /// The same with contacts, which the audit sees.
-  virtual const Moment& now_with_contacts() = 0;
-  /// The same with accelerations and forces.
-  virtual const Moment& now_with_forces() = 0;
+  /// Where the cubes are; found when it is first asked for. Asking changes nothing else: neither the
+  /// motion nor its books.
+  virtual const State& state() = 0;
+  /// Contacts that carried load in the step of a stepping in which the time lies.
+  virtual std::vector<Contact> loaded() { return {}; }
   /// What happened up to now.
   [[nodiscard]] virtual const Bookkeeping& book() = 0;
 

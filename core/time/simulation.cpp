@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/time/first_moment.h"
+#include "core/dynamics/forces_at.h"
 #include "core/time/island_motion.h"
-#include "core/time/reference/stepped_motion.h"
+#include "core/time/reference/fixed_step_motion.h"
+#include "core/time/start_state.h"
 #include "core/time/take_snapshot.h"
 
 namespace wuerfel {
@@ -16,18 +17,25 @@ constexpr double moved_share = 1e-9;
 
 std::unique_ptr<Motion> make_motion(const System& system,
                                     const MotionSettings& settings,
-                                    Moment start) {
+                                    const State& start) {
   switch (settings.integrator) {
     case Integrator::euler:
     case Integrator::symplectic:
     case Integrator::moreau:
-      return std::make_unique<SteppedMotion>(system, settings, std::move(start));
+      return std::make_unique<FixedStepMotion>(system, settings, start);
     case Integrator::automatic:
     case Integrator::event:
     case Integrator::rattle:
       break;
   }
-  return std::make_unique<IslandMotion>(system, settings, std::move(start));
+  return std::make_unique<IslandMotion>(system, settings, start);
+}
+
+void add(const LookCost& more, LookCost& cost) {
+  cost.qp_solves += more.qp_solves;
+  cost.force_choices += more.force_choices;
+  cost.skipped_free += more.skipped_free;
+  cost.unchanged += more.unchanged;
 }
 
 }  // namespace
@@ -35,15 +43,25 @@ std::unique_ptr<Motion> make_motion(const System& system,
 struct Simulation::Impl {
   Scene scene;
   System system;
-  std::unique_ptr<Motion> motion;
   State start;
   double energy_start = 0.0;
+  std::unique_ptr<Motion> motion;
+  ForceFinder finder;
+  LookCost look_cost;
 
-  Impl(const Scene& s, const MotionSettings& settings) : scene(s), system(make_system(s)) {
-    Moment first = first_moment(scene);
-    start = first.state;
-    energy_start = energy(system, start);
-    motion = make_motion(system, settings, std::move(first));
+  Impl(const Scene& s, const MotionSettings& settings)
+      : scene(s),
+        system(make_system(s)),
+        start(start_state(s)),
+        energy_start(energy(system, start)),
+        motion(make_motion(system, settings, start)),
+        finder(system, settings) {}
+
+  /// What touches and presses where the motion is. The motion and its books do not notice.
+  const InstantForces& look(Detail detail) {
+    const InstantForces& found = finder.at(motion->state(), detail, motion->loaded());
+    add(found.cost, look_cost);
+    return found;
   }
 };
 
@@ -61,29 +79,31 @@ void Simulation::set_pulse(std::function<void()> pulse) {
 
 double Simulation::time() const { return impl_->motion->time(); }
 
-const State& Simulation::states() const { return impl_->motion->now().state; }
+const State& Simulation::states() const { return impl_->motion->state(); }
 
 const std::vector<Event>& Simulation::events() const { return impl_->motion->book().events; }
 
 Audit Simulation::audit() const {
   Audit audit = impl_->motion->book().audit;
   audit.energy_start = impl_->energy_start;
-  audit.energy_end = energy(impl_->system, impl_->motion->now().state);
+  audit.energy_end = energy(impl_->system, impl_->motion->state());
   return audit;
 }
 
 const Cost& Simulation::cost() const { return impl_->motion->book().cost; }
 
+const LookCost& Simulation::look_cost() const { return impl_->look_cost; }
+
 Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
-  const bool forces = request.forces || request.rod_forces;
-  return take_snapshot(
-      impl_->scene, impl_->system,
-      forces ? impl_->motion->now_with_forces() : impl_->motion->now_with_contacts(), request);
+  Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, impl_->motion->state(),
+                                    impl_->look(detail_of(request)), request);
+  snapshot.time = time();
+  return snapshot;
 }
 
 std::vector<std::string> Simulation::moved() const {
   std::vector<std::string> names;
-  const State& now = impl_->motion->now().state;
+  const State& now = impl_->motion->state();
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Body& body = impl_->system.bodies[i];
     const double side = body.size.minCoeff();
@@ -94,6 +114,6 @@ std::vector<std::string> Simulation::moved() const {
   return names;
 }
 
-bool Simulation::at_rest() const { return Stepper::at_rest(impl_->motion->now_with_forces()); }
+bool Simulation::at_rest() const { return impl_->look(Detail::accelerations).at_rest; }
 
 }  // namespace wuerfel

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/dynamics/look_cost.h"
 #include "core/model/state.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
@@ -14,16 +15,6 @@
 #include "core/time/bookkeeping.h"
 
 namespace wuerfel {
-
-/// What a snapshot should contain beyond bodies; each costs work only where it is asked for.
-struct SnapshotRequest {
-  bool forces = false;
-  bool rods = false;
-  bool rod_forces = false;
-  bool points = false;
-  bool contacts = false;
-  bool sides = false;
-};
 
 class Simulation {
  public:
@@ -46,10 +37,14 @@ class Simulation {
   [[nodiscard]] const State& states() const;
   [[nodiscard]] const std::vector<Event>& events() const;
   [[nodiscard]] Audit audit() const;
+  /// Of the motion, whoever looked at it how often.
   [[nodiscard]] const Cost& cost() const;
+  /// Of the looks: what `snapshot` and `at_rest` took.
+  [[nodiscard]] const LookCost& look_cost() const;
   [[nodiscard]] Snapshot snapshot(const SnapshotRequest& request) const;
   /// Names of cubes that have moved by more than rounding since the start.
   [[nodiscard]] std::vector<std::string> moved() const;
+  /// Whether every cube stands still and would go on to: certified, as in `check`.
   [[nodiscard]] bool at_rest() const;
 
  private:

@@ -2,7 +2,6 @@
 
 #include "core/constraints/manifold.h"
 #include "core/constraints/side.h"
-#include "core/dynamics/forces.h"
 
 namespace wuerfel {
 namespace {
@@ -35,37 +34,43 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
   }
 }
 
-void add_forces(const System& system,
-                const Island& island,
-                const std::vector<double>& forces,
-                Snapshot& snapshot) {
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const Contact& c = island.contacts[k];
-    if (forces[k] <= 0.0) continue;
+void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot) {
+  for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
+    const Contact& c = of.island.contacts[k];
+    const double normal = of.forces.force[k];
+    if (normal <= 0.0) continue;
     // Shown is the force that carries: on the upper body of the two, and on a cube where one is
     // fixed.
     const bool carries = system.gravity.dot(c.normal) <= 0.0;
     const bool on = system.is_cube(c.on) && (carries || !system.is_cube(c.from));
-    const Vec2 force = (on ? forces[k] : -forces[k]) * c.normal;
+    const Vec2 force = (on ? normal : -normal) * c.normal;
     snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from});
   }
 }
 
 void add_rods(const System& system,
-              const Moment& moment,
-              int cube,
-              const std::vector<Contact>& contacts,
-              const std::vector<double>& forces,
+              const State& state,
+              const InstantForces& found,
               bool with_tension,
               Snapshot& snapshot) {
-  const auto n = static_cast<std::size_t>(cube);
-  const CubePoints points = points_of(moment.state[n], system.body(cube).size);
-  std::array<double, rods_per_cube> tension{};
-  if (with_tension) {
-    tension = rod_forces(system, moment.state, cube, moment.accelerations[n], contacts, forces);
+  std::vector<const IslandForces*> island_of(state.size(), nullptr);
+  for (const IslandForces& of : found.islands) {
+    for (const int cube : of.island.cubes)
+      island_of[cube] = &of;
   }
-  for (std::size_t m = 0; m < cube_rods.size(); ++m) {
-    snapshot.rods.push_back({points.p[cube_rods[m].i], points.p[cube_rods[m].j], tension[m]});
+  for (int cube = 0; cube < system.cubes; ++cube) {
+    std::array<double, rods_per_cube> tension{};
+    if (with_tension) {
+      const IslandForces* of = island_of[cube];
+      const Twist& a = found.accelerations[cube];
+      tension = of == nullptr
+                    ? rod_forces(system, state, cube, a, {}, {})
+                    : rod_forces(system, state, cube, a, of->island.contacts, of->forces.force);
+    }
+    const CubePoints points = points_of(state[cube], system.body(cube).size);
+    for (std::size_t m = 0; m < cube_rods.size(); ++m) {
+      snapshot.rods.push_back({points.p[cube_rods[m].i], points.p[cube_rods[m].j], tension[m]});
+    }
   }
 }
 
@@ -109,45 +114,27 @@ void add_sides(const System& system, const State& state, Snapshot& snapshot) {
 
 }  // namespace
 
+Detail detail_of(const SnapshotRequest& request) {
+  return request.forces || request.rod_forces ? Detail::forces : Detail::contacts;
+}
+
 Snapshot take_snapshot(const Scene& scene,
                        const System& system,
-                       const Moment& moment,
+                       const State& state,
+                       const InstantForces& found,
                        const SnapshotRequest& request) {
   Snapshot snapshot;
-  snapshot.time = moment.t;
   snapshot.title = system.title;
-  snapshot.energy = energy(system, moment.state);
-  add_bodies(scene, system, moment.state, snapshot);
-  if (request.points) add_points(system, moment.state, snapshot);
-  if (request.sides) add_sides(system, moment.state, snapshot);
-
-  const bool with_forces = request.forces || request.rod_forces;
-  std::vector<char> in_island(moment.state.size(), 0);
-  for (std::size_t m = 0; m < moment.islands.size(); ++m) {
-    const Island& island = moment.islands[m];
-    std::vector<double> forces(island.contacts.size(), 0.0);
-    if (with_forces) {
-      std::vector<Twist> accelerations;
-      for (const int cube : island.cubes)
-        accelerations.push_back(moment.accelerations[cube]);
-      forces = canonical_forces(system, moment.felt, island, accelerations, moment.solutions[m],
-                                Uniqueness::ignored)
-                   .force;
-    }
-    if (request.forces) add_forces(system, island, forces, snapshot);
-    if (request.contacts) add_contacts(island, snapshot);
-    for (const int cube : island.cubes) {
-      in_island[cube] = 1;
-      if (request.rods) {
-        add_rods(system, moment, cube, island.contacts, forces, request.rod_forces, snapshot);
-      }
-    }
+  snapshot.energy = energy(system, state);
+  snapshot.force_residual = found.residual;
+  add_bodies(scene, system, state, snapshot);
+  if (request.points) add_points(system, state, snapshot);
+  if (request.sides) add_sides(system, state, snapshot);
+  for (const IslandForces& of : found.islands) {
+    if (request.forces) add_forces(system, of, snapshot);
+    if (request.contacts) add_contacts(of.island, snapshot);
   }
-  for (int i = 0; i < system.cubes && request.rods; ++i) {
-    if (in_island[i] == 0) {
-      add_rods(system, moment, i, {}, {}, request.rod_forces, snapshot);
-    }
-  }
+  if (request.rods) add_rods(system, state, found, request.rod_forces, snapshot);
   return snapshot;
 }
 

@@ -1,16 +1,19 @@
 /// State and forces -> Snapshot: what the renderer may know.
 #pragma once
 
+#include "core/dynamics/forces_at.h"
 #include "core/snapshot.h"
-#include "core/time/moment.h"
-#include "core/time/simulation.h"
 
 namespace wuerfel {
 
-/// `moment` must have its accelerations where forces are asked for.
+/// How much of an instant a snapshot needs.
+Detail detail_of(const SnapshotRequest& request);
+
+/// `found` is what was found about `state`, to that detail.
 Snapshot take_snapshot(const Scene& scene,
                        const System& system,
-                       const Moment& moment,
+                       const State& state,
+                       const InstantForces& found,
                        const SnapshotRequest& request);
 
 }  // namespace wuerfel

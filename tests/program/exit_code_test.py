@@ -84,6 +84,17 @@ class Usage(ProgramTest):
                 self.refuse("run", scene, *arguments)
         self.assertEqual(self.files(), ["scene.json"])
 
+    def test_options_without_effect_are_refused_with_those_that_have_one(self):
+        scene = self.scene(FLYING)
+        for arguments, named in ((("--step", "0.01"), "rattle"), (("--step", "0.01", "--integrator", "event"), "moreau"),
+                                 (("--tolerance", "1e-9", "--integrator", "euler"), "auto"),
+                                 (("--formulation", "points"), "check"), (("--formulation", "points", "--integrator", "event"), "euler")):
+            with self.subTest(arguments):
+                self.assertIn(named, self.refuse("run", scene, *arguments))
+                self.refuse("figure", scene, "-o", "a.png", *arguments)
+        self.expect(0, "run", scene, "--integrator", "rattle", "--step", "0.01", "--tolerance", "1e-7", "--formulation", "points")
+        self.expect(1, "check", scene, "--formulation", "points", "--solver", "ipopt")
+
     def test_too_many_frames_are_refused_before_they_fill_the_memory(self):
         self.refuse("run", self.scene(FLYING), "-o", "f/", "--fps", "1e15")
 

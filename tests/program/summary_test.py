@@ -54,6 +54,25 @@ class Summary(ProgramTest):
         self.assertEqual(first, second)
 
 
+    def test_who_looks_changes_nothing_of_it(self):
+        alone = self.summary(FALLING)
+        for looks in (("-o", "f/", "--size", "64x36", "--fps", "7"), ("--forces", "forces.csv", "--fps", "90"), ("--states", "s.csv")):
+            with self.subTest(looks):
+                watched = self.summary(FALLING, *looks)
+                forces = watched.pop("forces", None)
+                self.assertEqual(forces is not None, "--forces" in looks)
+                for key in ("wall_s", "cpu_s", "start_s", "frames", "frames_reused"):
+                    alone["cost"][key] = watched["cost"][key] = 0
+                self.assertEqual(watched, alone)
+
+    def test_forces_come_with_their_residual(self):
+        s = self.summary(STANDING, "--forces", "forces.csv")
+        self.assertLessEqual(s["forces"]["max_kkt_residual"], 1e-12)
+        with open(self.path("forces.csv"), newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(max(float(r["kkt_residual"]) for r in rows), s["forces"]["max_kkt_residual"])
+
+
 class Samples(ProgramTest):
     def test_times_come_back_exactly_as_asked_in_order_and_once(self):
         asked = "0.7,0.1,0.30000000000000004,0.1,0,1,0.123456789012345678"

@@ -4,25 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "core/time/simulation.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
 
-Scene one_cube(const Vec2& position, double angle, const Vec2& velocity, double spin) {
-  Scene scene;
-  SceneCube cube;
-  cube.name = "a";
-  cube.position = position;
-  cube.angle = angle;
-  cube.velocity = velocity;
-  cube.spin = spin;
-  scene.cubes.push_back(cube);
-  return scene;
-}
-
-Scene with_floor(Scene scene) {
-  scene.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY(), {}});
-  return scene;
+SceneCube moving_cube(const Vec2& position, double angle, const Vec2& velocity, double spin) {
+  SceneCube c = cube("a", position, angle, spin);
+  c.velocity = velocity;
+  return c;
 }
 
 struct Method {
@@ -37,7 +27,9 @@ TEST_P(FreeFall, IsTheIntegratorsOwnSum) {
   settings.integrator = GetParam().integrator;
   settings.formulation = GetParam().formulation;
   settings.step = 1.0 / 128.0;
-  Simulation simulation(one_cube({0.0, 10.0}, 0.3, {1.0, 2.0}, 0.5), settings);
+  Scene scene;
+  scene.cubes = {moving_cube({0.0, 10.0}, 0.3, {1.0, 2.0}, 0.5)};
+  Simulation simulation(scene, settings);
   simulation.advance_to(1.0);
   Vec2 p(0.0, 10.0);
   Vec2 v(1.0, 2.0);
@@ -69,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(All,
                          });
 
 TEST(Motion, LookingBetweenStepsDoesNotChangeIt) {
-  const Scene scene = with_floor(one_cube({0.0, 1.5}, 0.3, {0.2, 0.0}, 0.4));
+  const Scene scene = on_floor({moving_cube({0.0, 1.5}, 0.3, {0.2, 0.0}, 0.4)});
   Simulation quiet(scene, {});
   Simulation watched(scene, {});
   for (int k = 1; k < 70; ++k)
@@ -82,7 +74,7 @@ TEST(Motion, LookingBetweenStepsDoesNotChangeIt) {
 }
 
 TEST(Motion, SameSceneGivesTheSameBits) {
-  const Scene scene = with_floor(one_cube({0.0, 1.5}, 0.3, {0.2, 0.0}, 0.4));
+  const Scene scene = on_floor({moving_cube({0.0, 1.5}, 0.3, {0.2, 0.0}, 0.4)});
   Simulation first(scene, {});
   Simulation second(scene, {});
   first.advance_to(0.8);
@@ -92,13 +84,7 @@ TEST(Motion, SameSceneGivesTheSameBits) {
 }
 
 TEST(Motion, AStandingTowerDoesNotMoveAtAll) {
-  Scene scene = with_floor({});
-  for (int i = 0; i < 5; ++i) {
-    SceneCube cube;
-    cube.name = "c" + std::to_string(i);
-    cube.position = {0.1 * (i % 2), 0.5 + i};
-    scene.cubes.push_back(cube);
-  }
+  const Scene scene = on_floor(tower(5));
   Simulation simulation(scene, {});
   simulation.advance_to(1.0);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -113,8 +99,7 @@ TEST(Motion, AStandingTowerDoesNotMoveAtAll) {
 /// Angle of a square that tips about its corner on the frictionless floor, at t = 0.292543 s: exact
 /// answer of the reference case tip_corner_square.
 double tipping_error(double step, Integrator integrator) {
-  Scene scene =
-      with_floor(one_cube({0.0, 0.7035741925769523333}, 0.6853981633974483096157, {0, 0}, 0));
+  Scene scene = on_floor({cube("a", {0.0, 0.7035741925769523333}, 0.6853981633974483096157)});
   MotionSettings settings;
   settings.integrator = integrator;
   settings.step = step;
@@ -136,7 +121,7 @@ TEST(Motion, TippingConvergesWithFirstOrder) {
 }
 
 TEST(Motion, ImpactsOnlyLoseEnergyAndLeaveNoOverlap) {
-  const Scene scene = with_floor(one_cube({0.0, 2.0}, 0.4, {0.3, 0.0}, 1.0));
+  const Scene scene = on_floor({moving_cube({0.0, 2.0}, 0.4, {0.3, 0.0}, 1.0)});
   Simulation simulation(scene, {});
   double before = simulation.audit().energy_start;
   for (int k = 1; k <= 150; ++k) {
@@ -154,7 +139,7 @@ TEST(Motion, ImpactsOnlyLoseEnergyAndLeaveNoOverlap) {
 TEST(Motion, APulseIsFeltBetweenStepsAndStopsTheMotion) {
   MotionSettings settings;
   settings.integrator = Integrator::moreau;
-  Simulation simulation(with_floor(one_cube({0.0, 2.0}, 0.4, {0.3, 0.0}, 1.0)), settings);
+  Simulation simulation(on_floor({moving_cube({0.0, 2.0}, 0.4, {0.3, 0.0}, 1.0)}), settings);
   struct Stop {};
   int beats = 0;
   simulation.set_pulse([&] {

@@ -124,7 +124,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
     return;
   }
   ++book.cost.steps;
-  if (closed_.contacts().empty()) {
+  if (settings_.skips.free_bodies && closed_.contacts().empty()) {
     fall(limit, pieces, book);
   } else {
     integrate(limit, pieces, book);

@@ -1,17 +1,16 @@
-#include "core/time/first_moment.h"
+#include "core/time/start_state.h"
 
+#include "core/model/system.h"
 #include "core/scene/overlap.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
 
-Moment first_moment(const Scene& scene) {
+State start_state(const Scene& scene) {
   if (const auto overlap = find_overlap(scene)) {
     throw SceneError(overlap_message(scene, *overlap) + "; move one of them");
   }
-  Moment moment;
-  moment.state = initial_state(scene);
-  return moment;
+  return initial_state(scene);
 }
 
 }  // namespace wuerfel

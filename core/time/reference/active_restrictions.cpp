@@ -1,0 +1,114 @@
+#include "core/time/reference/active_restrictions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/dynamics/forces_at.h"
+#include "core/dynamics/impact.h"
+
+namespace wuerfel {
+
+ActiveRestrictions::ActiveRestrictions(const System& system, const MotionSettings& settings)
+    : system_(&system), skips_(settings.skips), dynamics_(system, settings) {}
+
+void ActiveRestrictions::find(GridPoint& point, Bookkeeping& book) {
+  const GridPoint before = std::move(point);
+  point = {before.t, before.state, {}, {}, {}, before.resting};
+  point.resting.resize(system_->cubes, 0);
+  std::vector<Contact> contacts;
+  finder_.find(*system_, point.state, contacts);
+  note_overlap(finder_.deepest().depth, finder_.deepest().scale, book.audit);
+  group(contacts, point.islands);
+  point.solutions.resize(point.islands.size());
+  keep_rest(point, before);
+  std::vector<ContactId> lasting;
+  for (const Island& island : before.islands) {
+    for (const Contact& c : island.contacts)
+      lasting.push_back(c.id());
+  }
+  std::ranges::sort(lasting);
+  for (const Island& island : point.islands) {
+    if (point.rests(island)) continue;
+    // (3) must hold where (2) = 0: an impact.
+    if (closes(*system_, point.state, island)) strike(point, island, lasting, book);
+    settle(island, point.state);
+  }
+}
+
+void ActiveRestrictions::group(const std::vector<Contact>& contacts,
+                               std::vector<Island>& islands) const {
+  if (!skips_.islands) {
+    one_island(*system_, contacts, islands);
+    return;
+  }
+  find_islands(*system_, contacts, islands);
+  if (!skips_.free_bodies) add_free_cubes(*system_, islands);
+}
+
+/// Nothing has changed about an island since its rest was certified: the forces are the same, too.
+void ActiveRestrictions::keep_rest(GridPoint& point, const GridPoint& before) {
+  std::size_t k = 0;
+  for (std::size_t m = 0; m < point.islands.size(); ++m) {
+    const Island& island = point.islands[m];
+    if (!point.rests(island)) continue;
+    while (k < before.islands.size() && before.islands[k].cubes.front() < island.cubes.front())
+      ++k;
+    if (k == before.islands.size()) return;
+    if (before.islands[k].cubes == island.cubes) point.solutions[m] = before.solutions[k];
+  }
+}
+
+void ActiveRestrictions::strike(GridPoint& point,
+                                const Island& island,
+                                const std::vector<ContactId>& lasting,
+                                Bookkeeping& book) {
+  const auto [after, loss] = impact(*system_, point.state, island, dynamics_);
+  keep_book(after, book);
+  set_velocities(island, after.twists, point.state);
+  book.audit.impact_loss += loss;
+  const double least = after.least_pressing();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    // A contact that lasts is struck in each step by the step's error; that is no event.
+    if (after.forces[k] <= least || std::ranges::binary_search(lasting, c.id())) continue;
+    book.events.push_back({point.t, EventKind::impact, system_->body(c.on).name,
+                           system_->body(c.from).name, c.point, after.forces[k]});
+  }
+}
+
+/// Velocities that count as zero become zero, so that rest can be certified.
+void ActiveRestrictions::settle(const Island& island, State& state) const {
+  for (const int cube : island.cubes) {
+    const BodyState& s = state[cube];
+    const double side = system_->body(cube).size.minCoeff();
+    const double zero = rate_tolerance * std::sqrt(system_->gravity.norm() * side);
+    if (s.velocity.norm() + side * std::abs(s.spin) > zero) return;
+  }
+  set_velocities(island, std::vector<Twist>(island.cubes.size()), state);
+}
+
+void ActiveRestrictions::accelerate(GridPoint& point, Bookkeeping& book) {
+  if (!point.accelerations.empty()) return;
+  point.accelerations.assign(system_->cubes, {system_->gravity, 0.0});
+  book.cost.skipped_free += system_->cubes;
+  for (std::size_t m = 0; m < point.islands.size(); ++m) {
+    const Island& island = point.islands[m];
+    IslandSolution& solution = point.solutions[m];
+    book.cost.skipped_free -= static_cast<long>(island.cubes.size());
+    bool rests = !solution.twists.empty();  // as it did before
+    if (rests) {
+      ++book.cost.skipped_rest;
+    } else {
+      solution = dynamics_.accelerations(point.state, island);
+      keep_book(solution, book);
+      rests = skips_.rest && stands_still(island, point.state)
+              && accelerations_vanish(*system_, island, solution, system_->gravity.norm());
+    }
+    for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+      point.resting[island.cubes[k]] = rests ? 1 : 0;
+      point.accelerations[island.cubes[k]] = rests ? Twist{} : solution.twists[k];
+    }
+  }
+}
+
+}  // namespace wuerfel

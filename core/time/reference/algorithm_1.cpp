@@ -1,0 +1,64 @@
+#include "core/time/reference/algorithm_1.h"
+
+#include "core/model/points.h"
+
+namespace wuerfel {
+namespace {
+
+/// v := v + a dt,  p := p + v dt,  with the old v as printed, or with the new one. The same for an
+/// angle and its rate.
+template <class T>
+void euler_step(T& p, T& v, const T& a, double dt, bool as_printed) {
+  const T v_old = v;
+  v += a * dt;
+  p += (as_printed ? v_old : v) * dt;
+}
+
+}  // namespace
+
+Algorithm1::Algorithm1(const System& system, const MotionSettings& settings)
+    : system_(&system),
+      settings_(settings),
+      restrictions_(system, settings),
+      correction_(system, settings) {}
+
+void Algorithm1::step(GridPoint& point, double dt, Bookkeeping& book) {
+  // Bestimme die aktiven Restriktionen: done when this point was reached.
+  // Bestimme (a_i)
+  restrictions_.accelerate(point, book);
+  std::vector<Contact> pressed;
+  for (std::size_t m = 0; m < point.islands.size(); ++m)
+    add_pressed(point.islands[m], point.solutions[m], pressed);
+  // v_{i+1} := v_i + a_i dt,  p_{i+1} := p_i + v_i dt
+  integrate(point, dt);
+  // Eventuell Längenkorrektur
+  correction_.correct_positions(point.state, pressed, book);
+  correction_.correct_velocities(point.state, pressed, book);
+  point.t += dt;
+  restrictions_.find(point, book);
+}
+
+void Algorithm1::integrate(GridPoint& point, double dt) const {
+  const bool as_printed = settings_.integrator == Integrator::euler;
+  for (std::size_t i = 0; i < point.state.size(); ++i) {
+    if (point.resting[i] != 0) continue;
+    BodyState& s = point.state[i];
+    const Twist& a = point.accelerations[i];
+    if (settings_.formulation == Formulation::rigid) {
+      euler_step(s.position, s.velocity, a.linear, dt, as_printed);
+      euler_step(s.angle, s.spin, a.angular, dt, as_printed);
+      continue;
+    }
+    // To the letter: every point moves by itself, and the rods are put right afterwards.
+    const Body& body = system_->bodies[i];
+    CubePoints points = points_of(s, body.size);
+    for (std::size_t k = 0; k < points.p.size(); ++k) {
+      const Vec2 r = points.p[k] - s.position;
+      const Vec2 a_k = a.linear + a.angular * perp(r) - s.spin * s.spin * r;
+      euler_step(points.p[k], points.v[k], a_k, dt, as_printed);
+    }
+    s = nearest_cube(points, body.size, body.mass, s);
+  }
+}
+
+}  // namespace wuerfel

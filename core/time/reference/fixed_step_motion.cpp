@@ -1,0 +1,72 @@
+#include "core/time/reference/fixed_step_motion.h"
+
+#include <algorithm>
+
+#include "core/constraints/rod.h"
+#include "core/model/points.h"
+
+namespace wuerfel {
+namespace {
+
+/// Share of a step within which a time counts as a grid time.
+constexpr double same_time = 1e-9;
+
+}  // namespace
+
+FixedStepMotion::FixedStepMotion(const System& system,
+                                 const MotionSettings& settings,
+                                 const State& start)
+    : system_(&system), settings_(settings), method_(make_method()) {
+  grid_.state = start;
+  std::visit([&](auto& method) { method.begin(grid_, book_); }, method_);
+}
+
+FixedStepMotion::Method FixedStepMotion::make_method() const {
+  if (settings_.integrator == Integrator::moreau) return Moreau(*system_, settings_);
+  return Algorithm1(*system_, settings_);
+}
+
+void FixedStepMotion::advance_to(double t) {
+  between_.clear();
+  while (static_cast<double>(whole_steps_ + 1) * settings_.step <= t + same_time * settings_.step) {
+    beat();
+    step();
+    grid_.t = static_cast<double>(++whole_steps_) * settings_.step;
+  }
+  time_ = t;
+}
+
+void FixedStepMotion::step() {
+  ++book_.cost.steps;
+  // What rests altogether stays: not even its contacts are looked for.
+  if (grid_.at_rest()) {
+    book_.cost.skipped_rest += static_cast<long>(grid_.islands.size());
+    return;
+  }
+  std::visit([&](auto& method) { method.step(grid_, settings_.step, book_); }, method_);
+  if (!grid_.at_rest()) note_rods();
+}
+
+const State& FixedStepMotion::state() {
+  const double rest = time_ - grid_.t;
+  if (rest <= same_time * settings_.step || grid_.at_rest()) return grid_.state;
+  if (between_.empty()) {
+    // A shorter step aside, by a method that remembers nothing: looking does not change the motion.
+    GridPoint point = grid_;
+    Method method = make_method();
+    Bookkeeping aside;
+    std::visit([&](auto& m) { m.step(point, rest, aside); }, method);
+    between_ = std::move(point.state);
+  }
+  return between_;
+}
+
+void FixedStepMotion::note_rods() {
+  for (std::size_t i = 0; i < grid_.state.size(); ++i) {
+    const Vec2& size = system_->bodies[i].size;
+    const double error = largest_rod_error(points_of(grid_.state[i], size), size);
+    book_.audit.max_rod_error = std::max(book_.audit.max_rod_error, error);
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,43 @@
+#include "core/time/reference/moreau.h"
+
+#include <algorithm>
+
+#include "core/dynamics/forces_at.h"
+
+namespace wuerfel {
+
+Moreau::Moreau(const System& system, const MotionSettings& settings)
+    : system_(&system), restrictions_(system, settings), correction_(system, settings) {}
+
+void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
+  certify_rest(point, book);
+  for (std::size_t i = 0; i < point.state.size(); ++i) {
+    if (point.resting[i] == 0) point.state[i].velocity += dt * system_->gravity;
+  }
+  std::vector<Contact> pressed;
+  for (const Island& island : point.islands) {
+    if (point.rests(island)) continue;
+    const IslandSolution solution = restrictions_.dynamics().impact(point.state, island);
+    keep_book(solution, book);
+    set_velocities(island, solution.twists, point.state);
+    add_pressed(island, solution, pressed);
+  }
+  for (std::size_t i = 0; i < point.state.size(); ++i) {
+    if (point.resting[i] != 0) continue;
+    point.state[i].position += dt * point.state[i].velocity;
+    point.state[i].angle += dt * point.state[i].spin;
+  }
+  correction_.correct_positions(point.state, pressed, book);
+  correction_.correct_velocities(point.state, pressed, book);
+  point.t += dt;
+  restrictions_.find(point, book);
+}
+
+/// Accelerations say whether what stands still rests.
+void Moreau::certify_rest(GridPoint& point, Bookkeeping& book) {
+  if (std::ranges::all_of(point.islands,
+                          [&](const Island& i) { return stands_still(i, point.state); }))
+    restrictions_.accelerate(point, book);
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,116 @@
+// Who looks at a motion changes nothing about it: neither its states nor what is kept book of.
+#include <gtest/gtest.h>
+
+#include "core/time/simulation.h"
+#include "tests/support/bin_scene.h"
+#include "tests/support/scenes.h"
+
+namespace wuerfel::test {
+namespace {
+
+class Looks : public testing::TestWithParam<Integrator> {};
+
+void expect_same_books(const Simulation& a, const Simulation& b) {
+  const Audit p = a.audit();
+  const Audit q = b.audit();
+  for (double Audit::*value : {&Audit::max_penetration, &Audit::max_overlap, &Audit::max_rod_error,
+                               &Audit::max_kkt_residual, &Audit::drift_budget, &Audit::energy_start,
+                               &Audit::energy_end, &Audit::impact_loss, &Audit::friction_loss})
+    EXPECT_EQ(p.*value, q.*value);
+  for (long Audit::*count :
+       {&Audit::missed_solves, &Audit::unresolved, &Audit::searches_given_up, &Audit::wedged})
+    EXPECT_EQ(p.*count, q.*count);
+  for (long Cost::*count : {&Cost::steps, &Cost::qp_solves, &Cost::hand_overs, &Cost::skipped_free,
+                            &Cost::skipped_rest, &Cost::skipped_certificate})
+    EXPECT_EQ(a.cost().*count, b.cost().*count);
+}
+
+TEST_P(Looks, LeaveMotionAndBooksAsTheyAre) {
+  // A crowd for the default, so that groups are stepped; a few cubes for the slow ones.
+  const bool few = GetParam() != Integrator::automatic;
+  const Scene scene = few ? bin_scene(4, 4.0, 6.0, 2) : bin_scene(12, 4.0, 14.0, 5);
+  MotionSettings settings;
+  settings.integrator = GetParam();
+  if (few) settings.step = 1.0 / 120.0;
+  Simulation alone(scene, settings);
+  Simulation watched(scene, settings);
+  const SnapshotRequest all{.forces = true,
+                            .rods = true,
+                            .rod_forces = true,
+                            .points = true,
+                            .contacts = true,
+                            .sides = true};
+  const double end = few ? 1.0 : 1.5;
+  for (int k = 0; 0.0137 * k < end; ++k) {
+    watched.advance_to(0.0137 * k);
+    (void)watched.snapshot(all);
+    (void)watched.at_rest();
+  }
+  watched.advance_to(end);
+  alone.advance_to(end);
+  EXPECT_GT(watched.look_cost().qp_solves, 10);
+  EXPECT_EQ(alone.look_cost().qp_solves, 0);
+  expect_same_books(alone, watched);
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+    EXPECT_EQ(alone.states()[i].position, watched.states()[i].position) << i;
+    EXPECT_EQ(alone.states()[i].angle, watched.states()[i].angle) << i;
+    EXPECT_EQ(alone.states()[i].velocity, watched.states()[i].velocity) << i;
+  }
+  EXPECT_EQ(alone.events().size(), watched.events().size());
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         Looks,
+                         testing::Values(Integrator::automatic,
+                                         Integrator::event,
+                                         Integrator::rattle,
+                                         Integrator::moreau,
+                                         Integrator::euler),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
+TEST(Look, AtWhatRestsCostsNothingASecondTime) {
+  std::vector<SceneCube> cubes = tower(10);
+  cubes.push_back(cube("drop", {4.0, 3.0}));
+  Simulation simulation(on_floor(cubes), {});
+  constexpr int frames = 60;
+  std::size_t arrows = 0;
+  for (int k = 0; k <= frames; ++k) {
+    simulation.advance_to(k / 30.0);
+    arrows = simulation.snapshot({.forces = true}).forces.size();
+  }
+  EXPECT_EQ(arrows, 22U);
+  EXPECT_TRUE(simulation.at_rest());
+  // The tower once; the cube that lands once.
+  EXPECT_EQ(simulation.look_cost().qp_solves, 2);
+  EXPECT_EQ(simulation.look_cost().force_choices, 2);
+}
+
+TEST(Look, TheSameInstantIsSeenTheSameHoweverOftenOneLooked) {
+  const Scene scene = bin_scene(12, 4.0, 14.0, 5);
+  Simulation often(scene, {});
+  for (int k = 1; k < 140; ++k) {
+    often.advance_to(0.01 * k);
+    (void)often.snapshot({.forces = true});
+  }
+  Simulation once(scene, {});
+  often.advance_to(1.4);
+  once.advance_to(1.4);
+  const Snapshot a = often.snapshot({.forces = true});
+  const Snapshot b = once.snapshot({.forces = true});
+  ASSERT_EQ(a.forces.size(), b.forces.size());
+  for (std::size_t k = 0; k < a.forces.size(); ++k)
+    EXPECT_EQ(a.forces[k].force, b.forces[k].force) << k;
+  EXPECT_EQ(a.force_residual, b.force_residual);
+}
+
+TEST(Look, StatesAreWhereTheirForcesAre) {
+  Simulation simulation(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.3, 1.5})}), {});
+  const Snapshot snapshot = simulation.snapshot({.forces = true, .contacts = true});
+  EXPECT_EQ(snapshot.time, 0.0);
+  EXPECT_EQ(snapshot.forces.size(), 4U);
+  EXPECT_EQ(snapshot.contacts.size(), 4U);
+  EXPECT_LE(snapshot.force_residual, 1e-13);
+}
+
+}  // namespace
+}  // namespace wuerfel::test
