@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/constraints/manifold.h"
+#include "core/constraints/side.h"
 
 namespace wuerfel {
 namespace {
@@ -18,7 +19,7 @@ Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane
   c.normal = plane.normal;
   c.arm_k = b.arm[k];
   c.point = b.center + c.arm_k;
-  c.gap = plane.normal.dot((b.center - plane.point) + c.arm_k);
+  c.gap = side_gap(plane.normal, (b.center - plane.point) + c.arm_k, 0.0);
   c.alpha = 0.5;
   const Vec2 foot = c.point - c.gap * c.normal;
   c.arm_i = foot + 0.5 * perp(c.normal);
@@ -26,16 +27,16 @@ Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane
   return c;
 }
 
-void add_plane(int plane_index,
-               const Body& plane,
-               int box_index,
-               const Box& box,
-               double tolerance,
-               std::vector<Contact>& contacts) {
-  for (int k = 0; k < 4; ++k) {
-    const double gap = plane.normal.dot((box.center - plane.point) + box.arm[k]);
-    if (gap <= tolerance)
-      contacts.push_back(corner_on_plane(box_index, box, k, plane_index, plane));
+/// Two corners on a plane lie flat on it; more (a box inside of the plane) are touches of their own.
+void add_plane_touches(const Touch& touch,
+                       int corners,
+                       std::vector<Contact>& contacts,
+                       std::vector<Touch>& touches) {
+  const int each = corners == 2 ? 2 : 1;
+  for (int k = 0; k < corners; k += each) {
+    touches.push_back(touch);
+    touches.back().first = static_cast<int>(contacts.size()) - corners + k;
+    touches.back().count = each;
   }
 }
 
@@ -61,7 +62,7 @@ ContactVelocity contact_velocity(const System& system, const State& state, const
 }
 
 double gap_rate(const Contact& contact, const ContactVelocity& v) {
-  return contact.normal.dot(v.v_k - contact.alpha * v.v_j - (1.0 - contact.alpha) * v.v_i);
+  return side_gap_rate(contact.normal, contact.alpha, v.v_i, v.v_j, v.v_k);
 }
 
 double contact_scale(const System& system, const Contact& contact) {
@@ -93,29 +94,43 @@ void ContactFinder::find(const System& system,
                          std::vector<Contact>& contacts,
                          double tolerance) {
   contacts.clear();
+  touches_.clear();
   deepest_ = {};
   pose_boxes(system, state, boxes_);
-  bounds_.clear();
-  int boxes = 0;
-  for (; boxes < system.count() && system.body(boxes).kind != BodyKind::plane; ++boxes) {
-    const Box& box = boxes_[boxes];
-    const Vec2 extent = box.extent()
-                        + Vec2::Constant(std::max(tolerance * system.body(boxes).smaller_side(),
-                                                  gap_rounding(box.center, box.center)));
-    bounds_.push_back({box.center - extent, box.center + extent});
-  }
-  const auto note = [&](double separation, double scale, int a, int b) {
-    if (-separation > deepest_.depth) deepest_ = {-separation, scale, a, b};
+  find_between_boxes(system, state, tolerance, contacts);
+  find_on_planes(system, tolerance, contacts);
+  if (!system.rubs && !system.bounces) return;
+  for (Touch& touch : touches_)
+    touch.surface = system.surface(touch.on, touch.from);
+}
+
+void ContactFinder::note(double separation, double scale, int a, int b) {
+  if (-separation > deepest_.depth) deepest_ = {-separation, scale, a, b};
+}
+
+void ContactFinder::find_between_boxes(const System& system,
+                                       const State& state,
+                                       double tolerance,
+                                       std::vector<Contact>& contacts) {
+  const auto bounds_of = [&](int i) {
+    const Box& box = boxes_[i];
+    return posed_bounds(box, std::max(tolerance * system.body(i).smaller_side(),
+                                      gap_rounding(box.center, box.center)));
   };
-  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    if (!system.is_cube(pair.first)) continue;
-    const double scale =
-        std::min(system.body(pair.first).smaller_side(), system.body(pair.second).smaller_side());
-    note(add_touching_contacts(system, state, boxes_, pair.first, pair.second, tolerance * scale,
-                               contacts),
-         scale, pair.first, pair.second);
+  for (const auto& [i, j] : neighbours_.find(system, bounds_of)) {
+    const double scale = std::min(system.body(i).smaller_side(), system.body(j).smaller_side());
+    const std::size_t known = touches_.size();
+    note(add_touching_contacts(system, state, boxes_, i, j, tolerance * scale, contacts, touches_),
+         scale, i, j);
+    for (std::size_t k = known; k < touches_.size(); ++k)
+      touches_[k].scale = scale;
   }
-  for (int p = boxes; p < system.count(); ++p) {
+}
+
+void ContactFinder::find_on_planes(const System& system,
+                                   double tolerance,
+                                   std::vector<Contact>& contacts) {
+  for (int p = box_count(system); p < system.count(); ++p) {
     const Body& plane = system.body(p);
     for (int i = 0; i < system.cubes; ++i) {
       const Box& box = boxes_[i];
@@ -124,7 +139,15 @@ void ContactFinder::find(const System& system,
       const double touching = std::max(tolerance * scale, gap_rounding(box.center, plane.point));
       if (separation > touching) continue;
       note(separation, scale, i, p);
-      add_plane(p, plane, i, box, touching, contacts);
+      int corners = 0;
+      for (int k = 0; k < Box::corners; ++k) {
+        const Contact c = corner_on_plane(i, box, k, p, plane);
+        if (c.gap > touching) continue;
+        contacts.push_back(c);
+        ++corners;
+      }
+      const Touch touch{Touch::Kind::on_plane, i, p, 0, -1, 0, 1, {}, scale, {}};
+      add_plane_touches(touch, corners, contacts, touches_);
     }
   }
 }

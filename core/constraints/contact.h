@@ -5,8 +5,8 @@
 #include <tuple>
 #include <vector>
 
-#include "core/geometry/broad_phase.h"
-#include "core/model/system.h"
+#include "core/constraints/neighbours.h"
+#include "core/constraints/touch.h"
 
 namespace wuerfel {
 
@@ -68,14 +68,15 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
 class ContactFinder {
  public:
   /// All contacts with gap <= `tolerance` times the smaller side (but at least what rounding of the
-  /// positions leaves of a gap), in an order that depends on the
-  /// state only. Also those of overlapping pairs, whose gaps are then negative. Rules of the
-  /// manifold: design, section 1.
+  /// positions leaves of a gap), in an order that depends on the state only. Also those of
+  /// overlapping pairs, whose gaps are then negative. Rules of the manifold: design, section 1.
   void find(const System& system,
             const State& state,
             std::vector<Contact>& contacts,
             double tolerance = touching_tolerance);
 
+  /// Who touches whom and how, in the order of the contacts that the last `find` found.
+  [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Boxes posed by the last `find`.
   [[nodiscard]] std::span<const Box> boxes() const { return boxes_; }
   /// Deepest overlap seen by the last `find` and between whom, m; 0 where there is none.
@@ -88,9 +89,16 @@ class ContactFinder {
   [[nodiscard]] const Overlap& deepest() const { return deepest_; }
 
  private:
+  void find_between_boxes(const System& system,
+                          const State& state,
+                          double tolerance,
+                          std::vector<Contact>& contacts);
+  void find_on_planes(const System& system, double tolerance, std::vector<Contact>& contacts);
+  void note(double separation, double scale, int a, int b);
+
   std::vector<Box> boxes_;
-  std::vector<BoundingBox> bounds_;
-  BroadPhase broad_phase_;
+  Neighbours neighbours_;
+  std::vector<Touch> touches_;
   Overlap deepest_;
 };
 

@@ -2,56 +2,57 @@
 
 #include <numeric>
 
+#include "core/geometry/union_find.h"
+
 namespace wuerfel {
-namespace {
-
-/// Root of a cube, with path halving (Tarjan, van Leeuwen 1984).
-int root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) {
-    int& up = parent[i];
-    up = parent[up];
-    i = up;
-  }
-  return i;
-}
-
-}  // namespace
 
 void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
                   std::vector<Island>& islands) {
-  const auto n = static_cast<std::size_t>(system.cubes);
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  std::vector<bool> touched(n, false);
+  find_islands(system, contacts, {}, islands);
+}
+
+void find_islands(const System& system,
+                  const std::vector<Contact>& contacts,
+                  std::span<const Touch> touches,
+                  std::vector<Island>& islands) {
+  UnionFind sets(system.cubes);
+  std::vector<char> touched(system.cubes, 0);
   for (const Contact& c : contacts) {
     for (const int body : {c.on, c.from}) {
-      if (system.is_cube(body)) touched[body] = true;
+      if (system.is_cube(body)) touched[body] = 1;
     }
-    if (!system.is_cube(c.on) || !system.is_cube(c.from)) continue;
-    const int a = root(parent, c.on);
-    const int b = root(parent, c.from);
-    // The smaller index becomes the root, whatever the order of contacts.
-    parent[a > b ? a : b] = a < b ? a : b;
+    if (system.is_cube(c.on) && system.is_cube(c.from)) sets.unite(c.on, c.from);
   }
-  std::vector<int> number(n, -1);
-  std::size_t used = 0;
+  std::vector<int> number(system.cubes, -1);
+  int used = 0;
   for (int i = 0; i < system.cubes; ++i) {
-    if (!touched[i]) continue;
-    int& k = number[root(parent, i)];
+    if (touched[i] == 0) continue;
+    int& k = number[sets.root(i)];
     if (k < 0) {
-      k = static_cast<int>(used++);
-      if (islands.size() < used) islands.emplace_back();
+      k = used++;
+      if (static_cast<int>(islands.size()) < used) islands.emplace_back();
       islands[k].cubes.clear();
       islands[k].contacts.clear();
+      islands[k].touches.clear();
     }
     islands[k].cubes.push_back(i);
   }
   islands.resize(used);
+  const auto island_of = [&](int on, int from) -> Island& {
+    return islands[number[sets.root(system.is_cube(on) ? on : from)]];
+  };
+  // Contacts of a touch stay together: they are of the same island.
+  std::vector<int> place;
   for (const Contact& c : contacts) {
-    const int cube = system.is_cube(c.on) ? c.on : c.from;
-    const int k = number[root(parent, cube)];
-    islands[k].contacts.push_back(c);
+    Island& island = island_of(c.on, c.from);
+    place.push_back(static_cast<int>(island.contacts.size()));
+    island.contacts.push_back(c);
+  }
+  for (const Touch& touch : touches) {
+    Island& island = island_of(touch.on, touch.from);
+    island.touches.push_back(touch);
+    island.touches.back().first = place[touch.first];
   }
 }
 
@@ -71,7 +72,7 @@ void add_free_cubes(const System& system, std::vector<Island>& islands) {
       taken[cube] = true;
   }
   for (int i = 0; i < system.cubes; ++i) {
-    if (!taken[i]) islands.push_back({{i}, {}});
+    if (!taken[i]) islands.push_back({{i}, {}, {}});
   }
 }
 

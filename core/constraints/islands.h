@@ -11,11 +11,18 @@ namespace wuerfel {
 struct Island {
   std::vector<int> cubes;         ///< ascending
   std::vector<Contact> contacts;  ///< of these cubes with one another and with what is fixed
+  std::vector<Touch> touches{};   ///< of these contacts, where they were asked for
 };
 
 /// Cubes joined by contacts, in the order of their first cube; free cubes belong to no island.
 void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
+                  std::vector<Island>& islands);
+
+/// The same with the touches that the contacts belong to.
+void find_islands(const System& system,
+                  const std::vector<Contact>& contacts,
+                  std::span<const Touch> touches,
                   std::vector<Island>& islands);
 
 /// All cubes, free ones too, and all contacts as one island: what islands are compared with.

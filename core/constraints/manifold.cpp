@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/constraints/side.h"
 
@@ -16,7 +17,7 @@ constexpr double flush_times = 20.0;
 
 /// Corners of `b` that reach down to the line of side e of `a`.
 struct Incident {
-  std::array<int, 4> corner{};
+  std::array<int, Box::corners> corner{};
   int count = 0;
 };
 
@@ -24,7 +25,7 @@ Incident incident_corners(const Box& a, int e, const Box& b, double tolerance) {
   Incident incident;
   const Vec2 n = a.normal(e);
   const double offset = n.dot(b.center - a.center) - a.reach(e);
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < Box::corners; ++k) {
     if (offset + n.dot(b.arm[k]) <= tolerance) {
       incident.corner[incident.count++] = k;
     }
@@ -36,7 +37,7 @@ Incident incident_corners(const Box& a, int e, const Box& b, double tolerance) {
 int facing_side(const Box& b, const Vec2& n) {
   int best = 0;
   double least = 2.0;
-  for (int f = 0; f < 4; ++f) {
+  for (int f = 0; f < Box::corners; ++f) {
     const double along = b.normal(f).dot(n);
     if (along < least) {
       least = along;
@@ -58,11 +59,11 @@ bool is_flush(
 
 /// Edge on edge: the two ends of the overlap of side e of `from` and side f of `on`; none where it
 /// has no length. Each end is a corner of one body on the side of the other.
-bool add_face(const FacingSide& s,
-              const Box& a,
-              const Box& b,
-              double tolerance,
-              std::vector<Contact>& contacts) {
+std::optional<Interval> add_face(const FacingSide& s,
+                                 const Box& a,
+                                 const Box& b,
+                                 double tolerance,
+                                 std::vector<Contact>& contacts) {
   const int f = facing_side(b, a.normal(s.side));
   const Vec2 origin = a.corner(next_corner(s.side));
   const Vec2 t = (a.corner(s.side) - origin) / a.length(s.side);
@@ -72,31 +73,63 @@ bool add_face(const FacingSide& s,
   const double f_high = t.dot(b.corner(next_corner(f)) - origin);
   const double low = std::max(0.0, f_low);
   const double high = std::min(a.length(s.side), f_high);
-  if (high - low <= tolerance) return false;
+  if (high - low <= tolerance) return {};
   contacts.push_back(f_low >= 0.0 ? corner_on_side(s.on, b, f, s.from, a, s.side)
                                   : corner_on_side(s.from, a, next_corner(s.side), s.on, b, f));
   contacts.push_back(f_high <= a.length(s.side)
                          ? corner_on_side(s.on, b, next_corner(f), s.from, a, s.side)
                          : corner_on_side(s.from, a, s.side, s.on, b, f));
-  return true;
+  return Interval{low, high};
+}
+
+/// The touch of the contacts that have been added last: flush, or of one corner.
+Touch touch_of(const std::vector<Contact>& contacts, int count) {
+  Touch touch;
+  touch.first = static_cast<int>(contacts.size()) - count;
+  touch.count = count;
+  const Contact& c = contacts[touch.first];
+  touch.on = c.on;
+  touch.from = c.from;
+  touch.side = c.side;
+  touch.overlap = {c.alpha * c.length, c.alpha * c.length};
+  return touch;
+}
+
+/// The same of a flush pair, as its first contact sees it.
+Touch flush_touch(const FacingSide& s,
+                  std::span<const Box> boxes,
+                  const Interval& overlap,
+                  const std::vector<Contact>& contacts) {
+  Touch touch = touch_of(contacts, 2);
+  touch.kind = Touch::Kind::flush;
+  const int f = facing_side(boxes[s.on], boxes[s.from].normal(s.side));
+  touch.facing = f;
+  touch.overlap = overlap;
+  if (touch.from == s.from) return touch;
+  touch.facing = s.side;
+  // The sides run in opposite senses, and p_i of the one lies at the other's end of the overlap.
+  const double end = boxes[s.on].length(f);
+  const double low = contacts[touch.first].alpha * end;
+  touch.overlap = {std::max(0.0, low - overlap.length()), low};
+  return touch;
 }
 
 /// Sides that separate a pair: those within tolerance of the largest separation, and of a pair that
 /// touches all that touch.
 struct Candidates {
-  std::array<FacingSide, 8> list;
+  std::array<FacingSide, 2 * Box::corners> list;
   int count = 0;
   double largest = 0.0;
 };
 
 Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tolerance) {
   Candidates found;
-  std::array<FacingSide, 8> all;
+  std::array<FacingSide, 2 * Box::corners> all;
   const Box& a = boxes[i];
   const Box& b = boxes[j];
-  for (int e = 0; e < 4; ++e) {
+  for (int e = 0; e < Box::corners; ++e) {
     all[e] = {i, j, e, side_separation(a, e, b)};
-    all[e + 4] = {j, i, e, side_separation(b, e, a)};
+    all[e + Box::corners] = {j, i, e, side_separation(b, e, a)};
   }
   found.largest = all[0].separation;
   for (const FacingSide& c : all) {
@@ -158,7 +191,7 @@ Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int 
   c.arm_j = a.arm[e];
   c.point = b.center + c.arm_k;
   const Vec2 from_center = (b.center - a.center) + c.arm_k;
-  c.gap = c.normal.dot(from_center) - a.reach(e);
+  c.gap = side_gap(c.normal, from_center, a.reach(e));
   c.alpha = edge_parameter(c.arm_i, c.arm_j, from_center);
   return c;
 }
@@ -169,7 +202,8 @@ double add_touching_contacts(const System& system,
                              int i,
                              int j,
                              double tolerance,
-                             std::vector<Contact>& contacts) {
+                             std::vector<Contact>& contacts,
+                             std::vector<Touch>& touches) {
   const Candidates sides = separating_sides(boxes, i, j, tolerance);
   bool flush = false;
   Contact corner;
@@ -182,7 +216,10 @@ double add_touching_contacts(const System& system,
     const Incident incident = incident_corners(a, s.side, b, tolerance);
     if (is_flush(s, a, b, incident, tolerance)) {
       flush = true;
-      if (add_face(s, a, b, tolerance, contacts)) return sides.largest;
+      if (const auto overlap = add_face(s, a, b, tolerance, contacts)) {
+        touches.push_back(flush_touch(s, boxes, *overlap, contacts));
+        return sides.largest;
+      }
     }
     if (incident.count == 0) continue;
     // Corner on corner: of all sides that separate, the one that opens fastest.
@@ -196,8 +233,10 @@ double add_touching_contacts(const System& system,
     }
   }
   // Aligned corners of a grid need no contact unless they go into each other.
-  if (found && (!flush || contact_motion(system, state, corner) == ContactMotion::closing))
+  if (found && (!flush || contact_motion(system, state, corner) == ContactMotion::closing)) {
     contacts.push_back(corner);
+    touches.push_back(touch_of(contacts, 1));
+  }
   return sides.largest;
 }
 
@@ -229,10 +268,10 @@ FacingSide separating_side(const System& system, const Way& way, double slow, in
   FacingSide meeting;
   double latest = -1.0;
   const bool covers = system.body(i).cover || system.body(j).cover;
-  for (int index = 0; index < 8; ++index) {
-    const int from = index < 4 ? i : j;
-    const int on = index < 4 ? j : i;
-    const int side = index & 3;
+  for (int index = 0; index < 2 * Box::corners; ++index) {
+    const int from = index < Box::corners ? i : j;
+    const int on = index < Box::corners ? j : i;
+    const int side = index % Box::corners;
     if (covers && is_covered(system, deepest_corner_at(way.end, from, on, side))) continue;
     const double before = side_separation(way.start[from], side, way.start[on]);
     const double after = side_separation(way.end[from], side, way.end[on]);

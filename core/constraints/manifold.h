@@ -12,14 +12,16 @@ namespace wuerfel {
 /// The contact of corner k of box `on` with side e of box `from`.
 Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int e);
 
-/// Adds the contacts of boxes i and j that touch within `tolerance` (m); returns their separation.
+/// Adds the contacts of boxes i and j that touch within `tolerance` (m), and the touch that they
+/// make; returns their separation.
 double add_touching_contacts(const System& system,
                              const State& state,
                              std::span<const Box> boxes,
                              int i,
                              int j,
                              double tolerance,
-                             std::vector<Contact>& contacts);
+                             std::vector<Contact>& contacts,
+                             std::vector<Touch>& touches);
 
 /// The corner and the side that separate two boxes best: where the gap between them is measured,
 /// touching or not.
@@ -28,7 +30,7 @@ Contact nearest_corner(std::span<const Box> boxes, int i, int j);
 /// Whether a contact is at a side or a corner that fixed bodies cover.
 bool is_covered(const System& system, const Contact& contact);
 
-/// One of the eight sides of a pair of boxes.
+/// One of the sides of a pair of boxes.
 struct FacingSide {
   int from = 0;  ///< body of the side
   int on = 0;    ///< the other one

@@ -11,6 +11,20 @@
 
 namespace wuerfel {
 
+/// A function of time at an instant, with its first and second derivative.
+struct Jet {
+  double value = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+};
+
+/// A corner as seen from the centre of another body: p_k, v_k and a_k less those of the centre.
+struct RelativeMotion {
+  Vec2 d = Vec2::Zero();    ///< m
+  Vec2 d_1 = Vec2::Zero();  ///< m/s
+  Vec2 d_2 = Vec2::Zero();  ///< m/s^2
+};
+
 /// <g_i, x_i> + <g_j, x_j> + <g_k, x_k> + c >= 0 in the rates x of the three points.
 struct SideRow {
   Vec2 g_i = Vec2::Zero();
@@ -83,6 +97,26 @@ inline SideRow side_tangent_acceleration_row(const Vec2& p_i,
   SideRow row = side_tangent_row(p_i, p_j, alpha);
   row.c = 2.0 * (v_i - v_j).dot((v_k - v_i) - alpha * (v_j - v_i));
   return row;
+}
+
+/// (2) over |p_j - p_i|: the gap (m) of a corner at `d` from the centre of the side's body; the
+/// side has the unit normal n and is `reach` (m) from that centre.
+inline double side_gap(const Vec2& n, const Vec2& d, double reach) { return n.dot(d) - reach; }
+
+/// (2), (3) and (4) over |p_j - p_i| at any position: the gap, m, its rate, m/s, and the rate of
+/// that, m/s^2. n turns with the side's body, n' = omega perp(n), omega' = alpha.
+inline Jet side_gap_jet(
+    const Vec2& n, double reach, double omega, double alpha, const RelativeMotion& k) {
+  const Vec2 n_1 = perp(n);
+  return {side_gap(n, k.d, reach), n.dot(k.d_1) + omega * n_1.dot(k.d),
+          n.dot(k.d_2) + 2.0 * omega * n_1.dot(k.d_1) + alpha * n_1.dot(k.d)
+              - omega * omega * n.dot(k.d)};
+}
+
+/// (6) over |p_j - p_i|: the rate of the gap, m/s.
+inline double side_gap_rate(
+    const Vec2& n, double alpha, const Vec2& v_i, const Vec2& v_j, const Vec2& v_k) {
+  return n.dot(v_k - alpha * v_j - (1.0 - alpha) * v_i);
 }
 
 }  // namespace wuerfel

@@ -32,10 +32,10 @@ double side_separation(const Box& a, int e, const Box& b) {
 
 double separation(const Box& a, const Box& b) {
   double largest = side_separation(a, 0, b);
-  for (int e = 1; e < 4; ++e) {
+  for (int e = 1; e < Box::corners; ++e) {
     largest = std::max(largest, side_separation(a, e, b));
   }
-  for (int e = 0; e < 4; ++e) {
+  for (int e = 0; e < Box::corners; ++e) {
     largest = std::max(largest, side_separation(b, e, a));
   }
   return largest;

@@ -12,11 +12,14 @@
 namespace wuerfel {
 
 struct Box {
+  /// Corners, and sides as well.
+  static constexpr int corners = 4;
+
   Vec2 center = Vec2::Zero();  ///< m
   Vec2 half = Vec2::Zero();    ///< m, half width and half height
   Vec2 axis = Vec2::UnitX();   ///< unit vector along the width: (cos, sin) of the angle
-  std::array<Vec2, 4> arm = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
-                             Vec2::Zero()};  ///< m, corners relative to the centre
+  std::array<Vec2, corners> arm = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero(),
+                                   Vec2::Zero()};  ///< m, corners relative to the centre
 
   [[nodiscard]] Vec2 corner(int k) const { return center + arm[k]; }
   /// Unit normal of side e, pointing out.
@@ -31,9 +34,13 @@ struct Box {
   /// Half width and half height of its bounds along the axes of the world, m.
   [[nodiscard]] Vec2 extent() const { return arm[2].cwiseAbs().cwiseMax(arm[1].cwiseAbs()); }
   [[nodiscard]] double smaller_side() const { return 2.0 * half.minCoeff(); }
+  /// Distance of the corner that is farthest from the centre, m.
+  [[nodiscard]] double radius() const { return half.norm(); }
 };
 
-inline int next_corner(int k) { return (k + 1) & 3; }
+/// Neighbours of a corner, counter-clockwise and clockwise.
+inline int next_corner(int k) { return (k + 1) % Box::corners; }
+inline int previous_corner(int k) { return (k + Box::corners - 1) % Box::corners; }
 
 Box make_box(const Vec2& center, double angle, const Vec2& size);
 

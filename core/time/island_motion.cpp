@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
+
+#include "core/geometry/union_find.h"
 
 namespace wuerfel {
 namespace {
@@ -35,21 +36,6 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
     part.bodies.push_back(whole.body(cube));
   part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
   return part;
-}
-
-int root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) {
-    int& up = parent[i];
-    up = parent[up];
-    i = up;
-  }
-  return i;
-}
-
-void unite(std::vector<int>& parent, int i, int j) {
-  const int a = root(parent, i);
-  const int b = root(parent, j);
-  parent[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace
@@ -154,15 +140,15 @@ void IslandMotion::predict(const State& state, double length) {
 
 /// Groups of cubes whose bounds overlap, in the order of their first cube.
 void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
-  std::vector<int> parent(bounds_.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  UnionFind sets(static_cast<int>(bounds_.size()));
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
-    unite(parent, pair.first, pair.second);
-  if (!settings_.skips.islands) std::ranges::fill(parent, 0);
+    sets.unite(pair.first, pair.second);
+  for (int i = 1; !settings_.skips.islands && i < static_cast<int>(bounds_.size()); ++i)
+    sets.unite(0, i);
   parts.clear();
   std::vector<int> number(bounds_.size(), -1);
   for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) {
-    int& k = number[root(parent, i)];
+    int& k = number[sets.root(i)];
     if (k < 0) {
       k = static_cast<int>(parts.size());
       parts.emplace_back();
@@ -291,20 +277,17 @@ bool IslandMotion::join_those_that_met(const State& state) {
     for (std::size_t m = 0; m < part.size(); ++m)
       bounds_[group.cubes[m]] = part[m];
   }
-  std::vector<int> parent(groups_.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  UnionFind sets(static_cast<int>(groups_.size()));
   bool met = false;
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
     const int a = group_of_[pair.first];
     const int b = group_of_[pair.second];
-    if (root(parent, a) == root(parent, b)) continue;
-    unite(parent, a, b);
-    met = true;
+    met = sets.unite(a, b) || met;
   }
   if (!met) return false;
   std::vector<std::vector<int>> parts(groups_.size());
   for (std::size_t i = 0; i < group_of_.size(); ++i)
-    parts[root(parent, group_of_[i])].push_back(static_cast<int>(i));
+    parts[sets.root(group_of_[i])].push_back(static_cast<int>(i));
   std::erase_if(parts, [](const std::vector<int>& p) { return p.empty(); });
   std::ranges::sort(parts);
   regroup(state, parts);

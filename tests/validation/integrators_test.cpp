@@ -55,31 +55,27 @@ Scene leaning_tower() {
   return on_floor(std::move(cubes));
 }
 
-class Oscillator final : public VectorField {
- public:
-  void operator()(const std::vector<double>& y, std::vector<double>& rate) override {
-    rate.resize(2);
-    rate[0] = y[1];
-    rate[1] = -y[0];
-  }
-};
+void oscillator(const std::vector<double>& y, std::vector<double>& rate) {
+  rate.resize(2);
+  rate[0] = y[1];
+  rate[1] = -y[0];
+}
 
 double oscillator_error(int steps, bool dense) {
   const double h = 2.0 / steps;
-  Oscillator field;
   Dop853 method;
   std::vector<double> y = {1.0, 0.0};
   std::vector<double> rate(2);
   double worst = 0.0;
   for (int k = 0; k < steps; ++k) {
-    field(y, rate);
-    method.step(field, y, rate, h);
+    oscillator(y, rate);
+    method.step(oscillator, y, rate, h);
     std::vector<double> next = method.next();
     if (dense) {
       std::vector<double> next_rate(2);
-      field(next, next_rate);
+      oscillator(next, next_rate);
       DenseStep polynomial;
-      method.dense(field, y, next_rate, polynomial);
+      method.dense(oscillator, y, next_rate, polynomial);
       for (const double s : {0.17, 0.5, 0.83})
         worst = std::max(worst, std::abs(polynomial.component(s, 0) - std::cos((k + s) * h)));
     }

@@ -1,51 +1,75 @@
 #include "core/time/events/contact_changes.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 
 namespace wuerfel {
 namespace {
 
-IndexPair pair_of(const Contact& c) { return std::minmax(c.on, c.from); }
+/// A corner this near to an end of its side, as a share of the side, is at the end.
+constexpr double at_end_share = 1e-9;
+
+using Counts = std::map<IndexPair, int>;
+
+Counts contacts_of_pairs(const std::vector<Touch>& touches) {
+  Counts counts;
+  for (const Touch& touch : touches)
+    counts[touch.pair()] += touch.count;
+  return counts;
+}
+
+int count_of(const Counts& counts, const IndexPair& pair) {
+  const auto found = counts.find(pair);
+  return found == counts.end() ? 0 : found->second;
+}
+
+using NamePair = std::pair<std::string, std::string>;
+
+NamePair names(const std::string& a, const std::string& b) { return std::minmax(a, b); }
+
+std::set<NamePair> named_pairs(const std::vector<Event>& events) {
+  std::set<NamePair> pairs;
+  for (const Event& e : events)
+    pairs.insert(names(e.on, e.from));
+  return pairs;
+}
 
 }  // namespace
 
-void log_changes(const System& system,
-                 const std::vector<Contact>& before,
-                 const std::vector<Contact>& after,
-                 const std::vector<char>& resting,
-                 double t,
-                 std::size_t first_event,
-                 Bookkeeping& book) {
-  const auto count = [](const std::vector<Contact>& contacts, const IndexPair& pair) {
-    return std::ranges::count_if(contacts, [&](const Contact& c) { return pair_of(c) == pair; });
-  };
-  const auto hit = [&](const IndexPair& pair) {
-    return std::any_of(book.events.begin() + static_cast<std::ptrdiff_t>(first_event),
-                       book.events.end(), [&](const Event& e) {
-                         const auto& a = system.body(pair.first).name;
-                         const auto& b = system.body(pair.second).name;
-                         return (e.on == a && e.from == b) || (e.on == b && e.from == a);
-                       });
-  };
-  const auto rests = [&](int body) { return !system.is_cube(body) || resting[body] != 0; };
-  const auto log = [&](const Contact& c, EventKind kind) {
-    book.events.push_back(
+void add_contact_changes(const System& system,
+                         const ContactModes& before,
+                         const ContactModes& after,
+                         double t,
+                         std::vector<Event>& events) {
+  const Counts closed_before = contacts_of_pairs(before.closed.touches);
+  const Counts closed_after = contacts_of_pairs(after.closed.touches);
+  const Counts touching_before = contacts_of_pairs(before.touching);
+  const Counts touching_after = contacts_of_pairs(after.touching);
+  const std::set<NamePair> named = named_pairs(events);
+  const auto rests = [&](int body) { return !system.is_cube(body) || after.resting[body] != 0; };
+  const auto add = [&](const Contact& c, EventKind kind) {
+    events.push_back(
         {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0});
   };
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const IndexPair pair = pair_of(before[k]);
-    if (k > 0 && pair_of(before[k - 1]) == pair) continue;
-    if (rests(pair.first) && rests(pair.second)) continue;
-    if (count(after, pair) < count(before, pair) && !hit(pair)) {
-      const bool off = before[k].alpha <= 1e-9 || before[k].alpha >= 1.0 - 1e-9;
-      log(before[k], off && count(before, pair) == 1 ? EventKind::slide_off : EventKind::release);
-    }
+  const auto is_named = [&](const IndexPair& pair) {
+    return named.contains(names(system.body(pair.first).name, system.body(pair.second).name));
+  };
+  for (const Touch& touch : before.closed.touches) {
+    const IndexPair pair = touch.pair();
+    const int had = count_of(closed_before, pair);
+    if ((rests(pair.first) && rests(pair.second)) || is_named(pair)) continue;
+    if (count_of(closed_after, pair) >= had) continue;
+    const Contact& c = before.closed.contacts[touch.first];
+    const bool off = c.alpha <= at_end_share || c.alpha >= 1.0 - at_end_share;
+    add(c, off && had == 1 ? EventKind::slide_off : EventKind::release);
   }
-  if (t == 0.0) return;
-  for (std::size_t k = 0; k < after.size(); ++k) {
-    const IndexPair pair = pair_of(after[k]);
-    if (k > 0 && pair_of(after[k - 1]) == pair) continue;
-    if (count(after, pair) > count(before, pair) && !hit(pair)) log(after[k], EventKind::touch);
+  for (const Touch& touch : after.closed.touches) {
+    const IndexPair pair = touch.pair();
+    if (count_of(closed_after, pair) <= count_of(closed_before, pair) || is_named(pair)) continue;
+    if (count_of(touching_after, pair) <= count_of(touching_before, pair)) continue;
+    add(after.closed.contacts[touch.first], EventKind::touch);
   }
 }
 

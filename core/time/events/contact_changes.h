@@ -3,21 +3,18 @@
 
 #include <vector>
 
-#include "core/constraints/contact.h"
-#include "core/time/bookkeeping.h"
+#include "core/time/events/contact_modes.h"
 
 namespace wuerfel {
 
-/// Books releases, corners that slid off the end of a side, and touches: what closed contacts there
-/// are `after` an instant that were not there `before`, and the other way round. Pairs that rest
-/// (`resting`, one per cube) and those that an event of this instant names (from `first_event` on)
-/// are left out.
-void log_changes(const System& system,
-                 const std::vector<Contact>& before,
-                 const std::vector<Contact>& after,
-                 const std::vector<char>& resting,
-                 double t,
-                 std::size_t first_event,
-                 Bookkeeping& book);
+/// Adds releases, corners that slid off the end of a side, and touches to the events of an instant:
+/// what closed contacts pairs have in the phase that begins (`after`) and had not in the one that
+/// ended (`before`), and the other way round. What touched already is no touch, closed or not.
+/// Pairs that rest and pairs that an event of this instant names are left out.
+void add_contact_changes(const System& system,
+                         const ContactModes& before,
+                         const ContactModes& after,
+                         double t,
+                         std::vector<Event>& events);
 
 }  // namespace wuerfel

@@ -158,7 +158,25 @@ constexpr std::array<Term, 3> third_order = {{{0, 0.2440944881889763779527559055
                                               {8, 0.733846688281611857341361741547},
                                               {11, 0.220588235294117647058823529412e-1}}};
 
-using Stages = std::array<std::vector<double>, Dop853::stages + 4>;
+/// Of all evaluations but the first one and f(next).
+constexpr std::array<std::span<const Term>, Dop853::evaluations> tableau = {std::span<const Term>(),
+                                                                            stage_2,
+                                                                            stage_3,
+                                                                            stage_4,
+                                                                            stage_5,
+                                                                            stage_6,
+                                                                            stage_7,
+                                                                            stage_8,
+                                                                            stage_9,
+                                                                            stage_10,
+                                                                            stage_11,
+                                                                            stage_12,
+                                                                            std::span<const Term>(),
+                                                                            stage_14,
+                                                                            stage_15,
+                                                                            stage_16};
+
+using Stages = std::array<std::vector<double>, Dop853::evaluations>;
 
 double sum(std::span<const Term> terms, const Stages& k, std::size_t i) {
   double total = 0.0;
@@ -180,28 +198,19 @@ void combine(std::span<const Term> terms,
 
 }  // namespace
 
-void DenseStep::at(double s, std::vector<double>& y) const {
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] = component(s, i);
-}
-
-void Dop853::step(VectorField& field,
-                  const std::vector<double>& y,
-                  const std::vector<double>& rate,
-                  double h) {
+void Dop853::begin(const std::vector<double>& rate, double h) {
   h_ = h;
   for (auto& k : k_)
-    k.resize(y.size());
+    k.resize(rate.size());
   k_[0] = rate;
-  const std::array<std::span<const Term>, stages - 1> tableau = {
-      stage_2, stage_3, stage_4,  stage_5,  stage_6, stage_7,
-      stage_8, stage_9, stage_10, stage_11, stage_12};
-  for (std::size_t i = 1; i < stages; ++i) {
-    combine(tableau[i - 1], k_, y, h, y_);
-    field(y_, k_[i]);
-  }
-  combine(weights, k_, y, h, next_);
 }
+
+const std::vector<double>& Dop853::stage_state(int i, const std::vector<double>& y) {
+  combine(tableau[i], k_, y, h_, y_);
+  return y_;
+}
+
+void Dop853::end(const std::vector<double>& y) { combine(weights, k_, y, h_, next_); }
 
 double Dop853::error(const std::vector<double>& scale) const {
   double worst = 0.0;
@@ -215,17 +224,7 @@ double Dop853::error(const std::vector<double>& scale) const {
   return std::abs(h_) * worst;
 }
 
-void Dop853::dense(VectorField& field,
-                   const std::vector<double>& y,
-                   const std::vector<double>& next_rate,
-                   DenseStep& result) {
-  k_[12] = next_rate;
-  combine(stage_14, k_, y, h_, y_);
-  field(y_, k_[13]);
-  combine(stage_15, k_, y, h_, y_);
-  field(y_, k_[14]);
-  combine(stage_16, k_, y, h_, y_);
-  field(y_, k_[15]);
+void Dop853::interpolate(const std::vector<double>& y, DenseStep& result) const {
   result.coefficients.resize(y.size() * DenseStep::terms);
   double* c = result.coefficients.data();
   for (std::size_t i = 0; i < y.size(); ++i, c += DenseStep::terms) {

@@ -8,20 +8,10 @@
 
 namespace wuerfel {
 
-/// y' = f(y).
-class VectorField {
- public:
-  virtual ~VectorField() = default;
-  /// `y` and `rate` have the same size.
-  virtual void operator()(const std::vector<double>& y, std::vector<double>& rate) = 0;
-};
-
 /// One step as a polynomial in the share s of the step, 0 <= s <= 1.
 class DenseStep {
  public:
   static constexpr int terms = 8;
-  /// Values at the share `s`; `y` must have the size of the state.
-  void at(double s, std::vector<double>& y) const;
   /// Component i at the share s.
   [[nodiscard]] double component(double s, std::size_t i) const {
     const double* c = &coefficients[i * terms];
@@ -46,30 +36,52 @@ class DenseStep {
   std::vector<double> coefficients;  ///< `terms` for each component
 };
 
-/// Takes steps and keeps its stages from step to step.
+/// Takes steps of y' = f(y) and keeps its stages from step to step. A `Field` is called with y and
+/// the vector of rates to be filled, both of the same size.
 class Dop853 {
  public:
   static constexpr int stages = 12;
 
   /// A step of length h from `y`, where `rate` = f(y). The result is `next()`.
-  void step(VectorField& field,
+  template <typename Field>
+  void step(Field&& field,
             const std::vector<double>& y,
             const std::vector<double>& rate,
-            double h);
+            double h) {
+    begin(rate, h);
+    for (int i = 1; i < stages; ++i)
+      field(stage_state(i, y), k_[i]);
+    end(y);
+  }
   [[nodiscard]] const std::vector<double>& next() const { return next_; }
   /// Error estimate of the last step relative to `scale` (same size as the state), largest
   /// component; at most 1 where the step may be accepted for a tolerance of 1.
   [[nodiscard]] double error(const std::vector<double>& scale) const;
   /// The last step as a polynomial; `next_rate` = f(next()). Three more evaluations.
-  void dense(VectorField& field,
+  template <typename Field>
+  void dense(Field&& field,
              const std::vector<double>& y,
              const std::vector<double>& next_rate,
-             DenseStep& result);
+             DenseStep& result) {
+    k_[stages] = next_rate;
+    for (int i = stages + 1; i < evaluations; ++i)
+      field(stage_state(i, y), k_[i]);
+    interpolate(y, result);
+  }
   /// Rates at the stages of the last step, in the order of the method.
   [[nodiscard]] const std::vector<double>& stage(int i) const { return k_[i]; }
 
+  /// The stages, f(next), and three for dense output.
+  static constexpr int evaluations = stages + 4;
+
  private:
-  std::array<std::vector<double>, stages + 4> k_;  ///< the 12, f(next), and 3 for dense output
+  void begin(const std::vector<double>& rate, double h);
+  /// y of stage i, counted from 0, from the stages before it.
+  const std::vector<double>& stage_state(int i, const std::vector<double>& y);
+  void end(const std::vector<double>& y);
+  void interpolate(const std::vector<double>& y, DenseStep& result) const;
+
+  std::array<std::vector<double>, evaluations> k_;
   std::vector<double> y_;
   std::vector<double> next_;
   double h_ = 0.0;

@@ -1,44 +1,48 @@
 #include "core/time/events/step_view.h"
 
-#include "core/model/system.h"
+#include <algorithm>
+#include <cmath>
 
 namespace wuerfel {
+
+MovingBox body_of(const System& system, const State& state, int body) {
+  const Body& b = system.body(body);
+  if (!system.is_cube(body)) return fixed_body(b);
+  const BodyState& s = state[body];
+  return {make_box(s.position, s.angle, b.size), s.velocity, s.spin, {}};
+}
+
+Jet value_at(const System& system, const State& state, const EventFunction& f) {
+  const MovingPair pair{body_of(system, state, f.on), body_of(system, state, f.from)};
+  if (f.kind == EventFunction::Kind::separation) return separation_by(pair, separating_side(pair));
+  return corner_at_side(pair.on, f.corner, pair.from, f.side, f.kind);
+}
+
+void StepView::begin(const std::vector<char>& resting, double rounding) {
+  resting_ = resting;
+  separated_ = 2.0 * rounding;
+}
 
 bool StepView::is_still(int body) const {
   return !system_->is_cube(body) || (!resting_.empty() && resting_[body] != 0);
 }
 
-MovingBox StepView::body_of(const State& state, int body) const {
-  const Body& b = system_->body(body);
-  if (!system_->is_cube(body)) {
-    MovingBox fixed;
-    fixed.box = b.box;
-    if (b.kind == BodyKind::plane) {
-      fixed.box.center = b.point;
-      fixed.box.axis = -perp(b.normal);
-    }
-    return fixed;
-  }
-  const BodyState& s = state[body];
-  return {make_box(s.position, s.angle, b.size), s.velocity, s.spin, {}};
-}
-
 MovingBox StepView::body_at(int body, double share) const {
-  if (!system_->is_cube(body)) return body_of({}, body);
-  const std::size_t at = components * body;
-  const auto value = [&](std::size_t k) { return step_.motion->component(share, at + k); };
-  const auto rate = [&](std::size_t k) {
-    return step_.motion->slope(share, at + k) / step_.length;
-  };
-  return {make_box({value(0), value(1)}, value(2), system_->body(body).size),
+  const Body& b = system_->body(body);
+  if (!system_->is_cube(body)) return fixed_body(b);
+  const int at = components * body;
+  const auto value = [&](int k) { return motion_->component(share, at + k); };
+  const auto rate = [&](int k) { return motion_->slope(share, at + k) / length_; };
+  return {make_box({value(0), value(1)}, value(2), b.size),
           {value(3), value(4)},
           value(5),
           {Vec2(rate(3), rate(4)), rate(5)}};
 }
 
-/// Where all bodies are at the ends of a step_.
-void StepView::set(const WatchedStep& step) {
-  step_ = step;
+void StepView::set(const DenseStep& motion, double length, const std::vector<TwistRange>& range) {
+  motion_ = &motion;
+  length_ = length;
+  range_ = &range;
   begin_.clear();
   end_.clear();
   for (int i = 0; i < system_->count(); ++i) {
@@ -47,68 +51,91 @@ void StepView::set(const WatchedStep& step) {
   }
 }
 
-Look StepView::look_at(const Watch& watch, double share) const {
+Vec2 StepView::center_at(int body, double share) const {
+  return share == 0.0 ? begin_[body].box.center : end_[body].box.center;
+}
+
+// A path leaves its chord by no more than a h^2 / 8.
+Vec2 StepView::bulge(int cube) const {
+  const TwistRange& range = (*range_)[cube];
+  const Vec2 a = range.low.linear.cwiseAbs().cwiseMax(range.high.linear.cwiseAbs());
+  return (acceleration_reserve / 8.0) * length_ * length_ * a;
+}
+
+Jet StepView::in_steps(const Jet& jet, double shift) const {
+  return {jet.value + shift, jet.first * length_, jet.second * length_ * length_};
+}
+
+StepView::Look StepView::look_at(const EventFunction& f, double share) const {
   const auto at = [&](int body) {
-    const auto i = static_cast<std::size_t>(body);
-    return share == 0.0 || !system_->is_cube(body) ? begin_[i]
-           : share == 1.0                          ? end_[i]
+    return share == 0.0 || !system_->is_cube(body) ? begin_[body]
+           : share == 1.0                          ? end_[body]
                                                    : body_at(body, share);
   };
-  if (watch.kind == Watch::Kind::separation)
-    return look_at_separation(at(watch.from), at(watch.on), share);
   Look look;
   look.share = share;
-  look.on = at(watch.on);
-  look.from = at(watch.from);
-  look.reading = read_corner(look.on, watch.corner, look.from, watch.side, watch.kind);
+  look.pair = {at(f.on), at(f.from)};
+  if (f.kind == EventFunction::Kind::separation) {
+    look.side = separating_side(look.pair);
+    look.jet = in_steps(separation_by(look.pair, look.side), -separated_);
+  } else {
+    look.jet =
+        in_steps(corner_at_side(look.pair.on, f.corner, look.pair.from, f.side, f.kind), 0.0);
+  }
   return look;
 }
 
-GapBounds StepView::bounds_of(const Watch& watch,
-                              const Look& a,
-                              const Look& b,
-                              bool swapped) const {
+DerivativeBounds StepView::bounds(const EventFunction& f,
+                                  const Look& a,
+                                  const Look& b,
+                                  bool side_of_on) const {
   const auto travel = [&](int body, const MovingBox& begin, const MovingBox& end) {
     const bool still = is_still(body);
-    return Travel{&begin, &end, still ? TwistRange{} : (*step_.range)[body], still};
+    return Travel{&begin, &end, still ? TwistRange{} : (*range_)[body], still};
   };
-  const Travel on = travel(watch.on, a.on, b.on);
-  const Travel from = travel(watch.from, a.from, b.from);
-  const double h = step_.length;
+  const Travel on = travel(f.on, a.pair.on, b.pair.on);
+  const Travel from = travel(f.from, a.pair.from, b.pair.from);
+  const double h = length_;
   const double part = (b.share - a.share) * h;
-  GapBounds bounds = swapped ? bounds_of_gap(from, on, part, h) : bounds_of_gap(on, from, part, h);
-  bounds.bend *= h * h;
-  bounds.jerk *= h * h * h;
+  DerivativeBounds bounds =
+      side_of_on ? bounds_of_corners(from, on, part, h) : bounds_of_corners(on, from, part, h);
+  bounds.second *= h * h;
+  bounds.third *= h * h * h;
   return bounds;
 }
 
-Reading StepView::in_steps(const Reading& r, double shift) const {
-  const double h = step_.length;
-  return {r.value + shift, r.rate * h, r.bend * h * h};
+double StepView::second_bound(const EventFunction& f, const Look& a, const Look& b) const {
+  return bounds(f, a, b, a.side.of_on).second;
 }
 
-/// Whether the side `pair_side` keeps all corners of the other body outside between two looks.
-bool StepView::side_stays_clear(
-    const Watch& watch, const Look& a, const Look& b, int pair_side, double shift) const {
-  const GapBounds bounds = bounds_of(watch, a, b, pair_side >= 4);
-  for (int k = 0; k < 4; ++k) {
-    const Reading from = in_steps(read_pair_side(a, pair_side, k), shift);
-    const Reading to = in_steps(read_pair_side(b, pair_side, k), shift);
-    if (!no_zero_between(from, to, b.share - a.share, bounds)) return false;
+/// Whether a side keeps all corners of the other body outside between two looks.
+bool StepView::side_stays_clear(const EventFunction& f,
+                                const Look& a,
+                                const Look& b,
+                                const PairSide& side,
+                                double shift) const {
+  const DerivativeBounds within = bounds(f, a, b, side.of_on);
+  for (int k = 0; k < Box::corners; ++k) {
+    const Jet from = in_steps(gap_of_corner(a.pair, side, k), shift - separated_);
+    const Jet to = in_steps(gap_of_corner(b.pair, side, k), shift - separated_);
+    if (!no_zero_between(from, to, b.share - a.share, within)) return false;
   }
   return true;
 }
 
-bool StepView::stays_positive(const Watch& watch,
-                              const Look& a,
-                              const Look& b,
-                              double shift) const {
-  if (watch.kind == Watch::Kind::separation) {
-    return side_stays_clear(watch, a, b, a.pair_side, shift)
-           || (b.pair_side != a.pair_side && side_stays_clear(watch, a, b, b.pair_side, shift));
+bool StepView::positive_between(const EventFunction& f,
+                                const Look& a,
+                                const Look& b,
+                                double shift) const {
+  if (f.kind == EventFunction::Kind::separation) {
+    return side_stays_clear(f, a, b, a.side, shift)
+           || (b.side != a.side && side_stays_clear(f, a, b, b.side, shift));
   }
-  return no_zero_between(in_steps(a.reading, shift), in_steps(b.reading, shift), b.share - a.share,
-                         bounds_of(watch, a, b, false));
+  Jet from = a.jet;
+  Jet to = b.jet;
+  from.value += shift;
+  to.value += shift;
+  return no_zero_between(from, to, b.share - a.share, bounds(f, a, b, false));
 }
 
 }  // namespace wuerfel

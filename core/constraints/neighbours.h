@@ -1,0 +1,43 @@
+/// Which bodies may touch: bounds of the boxes, and the pairs whose bounds overlap. Planes have no
+/// bounds; they are everybody's neighbours.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/geometry/broad_phase.h"
+#include "core/model/system.h"
+
+namespace wuerfel {
+
+/// Number of the bodies that are boxes: cubes first, then fixed ones.
+int box_count(const System& system);
+
+/// Bounds of a box where it stands, with a margin (m) around them.
+BoundingBox posed_bounds(const Box& box, double margin);
+/// Bounds of both ends of a way that is no longer than its chord, with a margin (m).
+BoundingBox swept_bounds(const Box& start, const Box& end, double margin);
+/// Bounds of all places within `reach` (m) of the chord from `start` to `end`.
+BoundingBox predicted_bounds(const Vec2& start, const Vec2& end, const Vec2& reach);
+
+/// Keeps its memory, nothing that changes an answer, from call to call.
+class Neighbours {
+ public:
+  /// Pairs (i, j), i < j, i a cube and j a cube or a fixed box, in ascending order, of which
+  /// `bounds_of(i)` and `bounds_of(j)` overlap.
+  template <typename BoundsOf>
+  std::span<const IndexPair> find(const System& system, BoundsOf&& bounds_of) {
+    bounds_.clear();
+    for (int i = 0; i < box_count(system); ++i)
+      bounds_.push_back(bounds_of(i));
+    return pairs_with_cubes(system);
+  }
+
+ private:
+  std::span<const IndexPair> pairs_with_cubes(const System& system);
+
+  std::vector<BoundingBox> bounds_;
+  BroadPhase broad_phase_;
+};
+
+}  // namespace wuerfel

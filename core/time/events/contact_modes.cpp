@@ -1,0 +1,166 @@
+#include "core/time/events/contact_modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// After an impact a gap that opens more slowly than this share of V, and that the forces would
+/// close again, is closed at once: it would rise by 5e-11 of the size and come back.
+constexpr double bounce_speed = 1e-5;
+/// A force and a gap's acceleration below this share of the largest force and of g leave it open
+/// which of them will be positive.
+constexpr double undecided_share = 1e-6;
+/// How far the program looks ahead then, in units of L / V.
+constexpr double peek_time = 1e-7;
+/// A contact is closed if its gap's acceleration is below this share of g, or below the share that
+/// rounding leaves of the largest force.
+constexpr double closed_acceleration = 1e-9;
+constexpr double closed_rounding = 1e-11;
+
+IslandSolution accelerations(const Island& island,
+                             const State& state,
+                             std::span<const SideUse> use,
+                             Workspace& work) {
+  IslandSolution solution = work.dynamics.accelerations(state, island, use);
+  work.solves.add(solution);
+  return solution;
+}
+
+/// The contacts of an island a moment later, and the cubes of the island in `ahead`.
+Island moved_island(const Island& island, const State& ahead, Workspace& work) {
+  std::vector<Box> boxes;
+  pose_boxes(*work.system, ahead, boxes);
+  Island moved = island;
+  for (Contact& c : moved.contacts)
+    c = at_poses(*work.system, boxes, c);
+  return moved;
+}
+
+/// Gauss' principle over the contacts that do not open. `use` says which these are; what opens
+/// slowly and is not pressed keeps its velocity.
+IslandSolution settle(const Island& island,
+                      const State& state,
+                      const Scales& scales,
+                      bool after_impact,
+                      std::vector<SideUse>& use,
+                      Workspace& work) {
+  std::vector<char> slow;
+  for (const Contact& c : island.contacts) {
+    const double rate = gap_rate(c, contact_velocity(*work.system, state, c));
+    const bool rests = contact_motion(*work.system, state, c) != ContactMotion::opening;
+    slow.push_back(!rests && after_impact && rate <= bounce_speed * scales.speed ? 1 : 0);
+    use.push_back(rests || slow.back() != 0 ? SideUse::inequality : SideUse::none);
+  }
+  IslandSolution solution = accelerations(island, state, use, work);
+  for (bool dropped = true; dropped;) {
+    dropped = false;
+    for (std::size_t k = 0; k < use.size(); ++k) {
+      if (use[k] == SideUse::none || slow[k] == 0) continue;
+      if (solution.forces[k] > undecided_share * solution.largest_force()) continue;
+      use[k] = SideUse::none;
+      dropped = true;
+    }
+    if (dropped) solution = accelerations(island, state, use, work);
+  }
+  return solution;
+}
+
+/// Whether some contact neither presses nor opens.
+bool is_undecided(const Island& island,
+                  const IslandSolution& solution,
+                  std::span<const SideUse> use,
+                  double gravity,
+                  const System& system) {
+  double largest = solution.largest_force();
+  for (const int cube : island.cubes)
+    largest = std::max(largest, system.body(cube).mass * gravity);
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (use[k] != SideUse::none && solution.forces[k] <= undecided_share * largest
+        && solution.slacks[k] <= undecided_share * gravity)
+      return true;
+  }
+  return false;
+}
+
+/// The same program after dt s.
+IslandSolution peek(const Island& island,
+                    const State& state,
+                    const IslandSolution& now,
+                    std::span<const SideUse> use,
+                    double dt,
+                    Workspace& work) {
+  State ahead = state;
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    BodyState& s = ahead[island.cubes[k]];
+    const Twist& a = now.twists[k];
+    s.position += dt * (s.velocity + 0.5 * dt * a.linear);
+    s.angle += dt * (s.spin + 0.5 * dt * a.angular);
+    s.velocity += dt * a.linear;
+    s.spin += dt * a.angular;
+  }
+  return accelerations(moved_island(island, ahead, work), ahead, use, work);
+}
+
+}  // namespace
+
+IslandModes find_modes(const Island& island,
+                       const State& state,
+                       const Scales& scales,
+                       bool after_impact,
+                       Workspace& work) {
+  std::vector<SideUse> use;
+  IslandSolution solution = settle(island, state, scales, after_impact, use, work);
+  if (is_undecided(island, solution, use, scales.gravity, *work.system))
+    solution = peek(island, state, solution, use, peek_time * scales.time, work);
+  double lightest = work.system->body(island.cubes.front()).mass;
+  for (const int cube : island.cubes)
+    lightest = std::min(lightest, work.system->body(cube).mass);
+  const double limit =
+      closed_acceleration * scales.gravity + closed_rounding * solution.largest_force() / lightest;
+  IslandModes modes;
+  modes.wedged = solution.status == QpStatus::infeasible;
+  for (const double slack : solution.slacks)
+    modes.closed.push_back(slack <= limit ? 1 : 0);
+  return modes;
+}
+
+bool rests(const Island& island,
+           const State& state,
+           const Scales& scales,
+           const ContactLimits& limits,
+           Workspace& work) {
+  if (!work.skips.rest) return false;
+  State still = state;
+  for (const int cube : island.cubes) {
+    BodyState& s = still[cube];
+    if (fastest_corner(work.system->body(cube), s) > limits.rest_speed * scales.speed) return false;
+    s.velocity.setZero();
+    s.spin = 0.0;
+  }
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  const IslandSolution solution = accelerations(island, still, use, work);
+  return accelerations_vanish(*work.system, island, solution, scales.gravity);
+}
+
+bool would_open(const State& state, std::span<const Touch> closed, double most, Workspace& work) {
+  std::vector<IndexPair> pairs;
+  for (const Touch& touch : closed)
+    pairs.push_back(touch.pair());
+  std::ranges::sort(pairs);
+  std::vector<Contact> contacts;
+  work.finder.find(*work.system, state, contacts, ContactLimits{}.touching);
+  std::erase_if(contacts, [&](const Contact& c) {
+    return contact_motion(*work.system, state, c) != ContactMotion::resting
+           || !std::ranges::binary_search(pairs, IndexPair(std::minmax(c.on, c.from)));
+  });
+  std::vector<Island> islands;
+  find_islands(*work.system, contacts, islands);
+  return std::ranges::any_of(islands, [&](const Island& island) {
+    const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+    return std::ranges::max(accelerations(island, state, use, work).slacks) > most;
+  });
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,56 @@
+/// Contact modes: which contacts stay closed after an event, and which open.
+#pragma once
+
+#include <vector>
+
+#include "core/model/scales.h"
+#include "core/time/events/event_function.h"
+#include "core/time/events/workspace.h"
+
+namespace wuerfel {
+
+/// The smooth phase that follows an event.
+struct ContactModes {
+  ContactSet closed;            ///< rows of contacts that stay closed, of cubes that move
+  std::vector<char> resting;    ///< per cube: certified, v = 0 and a = 0
+  std::vector<Touch> touching;  ///< all that touches when the phase begins, closed or not
+  /// No accelerations keep the contacts closed: cubes turn in a place that fits them exactly. Only
+  /// positions know what happens next.
+  bool wedged = false;
+};
+
+/// What counts as touching and as still.
+struct ContactLimits {
+  double touching = event_touching;  ///< share of the smaller side up to which bodies touch
+  double rest_speed = 1e-9;  ///< share of V below which cubes rest where their forces balance
+};
+
+struct IslandModes {
+  std::vector<char> closed;  ///< one per contact of the island
+  bool wedged = false;
+};
+
+/// Contacts of an island that stay closed under Gauss' principle over those that do not open. Where
+/// a force and the gap's acceleration both vanish (the instant of a release), the program is asked
+/// again a moment later, where one of them has a sign. `after_impact`: velocities have just jumped;
+/// what opens slowly then, and is pressed, is closed at once.
+IslandModes find_modes(const Island& island,
+                       const State& state,
+                       const Scales& scales,
+                       bool after_impact,
+                       Workspace& work);
+
+/// Whether an island whose cubes are as slow as `limits` say rests: standing still it stays.
+bool rests(const Island& island,
+           const State& state,
+           const Scales& scales,
+           const ContactLimits& limits,
+           Workspace& work);
+
+/// Whether a gap of the pairs that `closed` joins would open with more than `most` m/s^2 if it
+/// could, at a state on these contacts. Loads of redundant contacts are not the only ones: a
+/// negative one is no release where others would do the same; Gauss' program with inequalities
+/// knows.
+bool would_open(const State& state, std::span<const Touch> closed, double most, Workspace& work);
+
+}  // namespace wuerfel

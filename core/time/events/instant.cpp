@@ -1,0 +1,151 @@
+#include "core/time/events/instant.h"
+
+#include <algorithm>
+
+#include "core/dynamics/impact.h"
+#include "core/time/events/contact_changes.h"
+#include "core/time/events/corrections.h"
+
+namespace wuerfel {
+namespace {
+
+/// Finds contacts and islands of a state.
+void find_touching(const State& state,
+                   double touching,
+                   Workspace& work,
+                   std::vector<Contact>& contacts,
+                   std::vector<Island>& islands) {
+  work.finder.find(*work.system, state, contacts, touching);
+  find_islands(*work.system, contacts, work.finder.touches(), islands);
+}
+
+/// Removes overlap. What touched before it was removed still takes part, by whatever gap that has
+/// opened.
+void separate(double touching,
+              std::vector<Contact>& contacts,
+              std::vector<Island>& islands,
+              Instant& now,
+              Workspace& work) {
+  const auto [moves, pushed] =
+      out_of_overlap(now.state, islands, now.modes.resting, touching, work);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    now.state[i].position += moves[i].linear;
+    now.state[i].angle += moves[i].angular;
+  }
+  if (pushed) {
+    find_touching(now.state, touching, work, contacts, islands);
+  } else if (!moves.empty()) {
+    for (Island& island : islands)
+      follow(*work.system, now.state, island);
+  }
+}
+
+/// An impact's events, one per contact that presses.
+void add_impacts(
+    const System& system, const Island& island, const Impact& hit, double t, Instant& now) {
+  const double least = hit.after.least_pressing();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (hit.after.forces[k] <= least) continue;
+    now.events.push_back({t, EventKind::impact, system.body(c.on).name, system.body(c.from).name,
+                          c.point, hit.after.forces[k]});
+  }
+}
+
+void add_rest(const System& system, const Island& island, int cube, double t, Instant& now) {
+  const auto touching = std::ranges::find_if(
+      island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
+  const int other = touching->on == cube ? touching->from : touching->on;
+  now.events.push_back({t, EventKind::rest, system.body(cube).name, system.body(other).name,
+                        touching->point, 0.0});
+}
+
+/// Makes an island rest. That it does is an event where none of its cubes did before.
+void stop(const System& system, const Island& island, double t, bool is_event, Instant& now) {
+  for (const int cube : island.cubes) {
+    now.state[cube].velocity.setZero();
+    now.state[cube].spin = 0.0;
+    now.modes.resting[cube] = 1;
+    if (is_event) add_rest(system, island, cube, t, now);
+  }
+}
+
+/// Puts the closed contacts of an island into the modes.
+void close(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
+  now.modes.wedged = now.modes.wedged || modes.wedged;
+  const OntoClosed change = onto_closed(island, now.state, modes.closed, work);
+  if (!change.displacements.empty()) displace(island, change.displacements, now.state);
+  if (!change.velocities.empty()) set_velocities(island, change.velocities, now.state);
+  std::vector<Box> boxes;
+  pose_boxes(*work.system, now.state, boxes);
+  for (const Touch& touch : island.touches)
+    add_closed_rows(*work.system, boxes, touch, island.contacts, modes.closed, now.modes.closed);
+}
+
+void happen_to(const Island& island,
+               double t,
+               const ContactLimits& limits,
+               const Scales& scales,
+               Instant& now,
+               Workspace& work) {
+  const System& system = *work.system;
+  const bool rested =
+      std::ranges::any_of(island.cubes, [&](int cube) { return now.modes.resting[cube] != 0; });
+  for (const int cube : island.cubes)
+    now.modes.resting[cube] = 0;
+  const bool hits = closes(system, now.state, island);
+  if (hits) {
+    const Impact hit = impact(system, now.state, island, work.dynamics);
+    work.solves.add(hit.after);
+    set_velocities(island, hit.after.twists, now.state);
+    add_impacts(system, island, hit, t, now);
+  }
+  if (rests(island, now.state, scales, limits, work)) {
+    stop(system, island, t, !rested && t > 0.0, now);
+  } else {
+    close(island, find_modes(island, now.state, scales, hits, work), now, work);
+  }
+}
+
+}  // namespace
+
+Instant happen(const State& state,
+               double t,
+               const FormerPhase& before,
+               const ContactLimits& limits,
+               Workspace& work) {
+  const System& system = *work.system;
+  const Scales scales = scales_of(system, state);
+  Instant now;
+  now.state = state;
+  now.modes.resting = before.modes.resting;
+  now.modes.resting.resize(state.size(), 0);
+  std::vector<Contact> contacts;
+  std::vector<Island> islands;
+  find_touching(state, limits.touching, work, contacts, islands);
+  now.deepest = work.finder.deepest();
+  separate(limits.touching, contacts, islands, now, work);
+  std::vector<char> touched(state.size(), 0);
+  for (const Island& island : islands) {
+    now.modes.touching.insert(now.modes.touching.end(), island.touches.begin(),
+                              island.touches.end());
+    for (const int cube : island.cubes)
+      touched[cube] = 1;
+    if (all_rest(island, now.modes.resting)) {
+      ++now.skipped_rest;
+    } else {
+      happen_to(island, t, limits, scales, now, work);
+    }
+  }
+  // A cube that touches nothing any more does not rest but where nothing pulls at it.
+  const bool falls = !system.gravity.isZero(0.0);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (touched[i] != 0) continue;
+    ++now.skipped_free;
+    now.modes.resting[i] = !falls && state[i].velocity.isZero(0.0) && state[i].spin == 0.0 ? 1 : 0;
+  }
+  if (before.known) add_contact_changes(system, before.modes, now.modes, t, now.events);
+  return now;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,34 @@
+/// What happens at an instant: who hits whom, and how the motion goes on.
+#pragma once
+
+#include <vector>
+
+#include "core/time/events/contact_modes.h"
+
+namespace wuerfel {
+
+struct Instant {
+  State state;         ///< just after it
+  ContactModes modes;  ///< of the phase that begins
+  std::vector<Event> events;
+  ContactFinder::Overlap deepest;  ///< that there was
+  long skipped_rest = 0;           ///< islands in certified rest
+  long skipped_free = 0;           ///< cubes that touch nothing
+};
+
+/// The phase that ends at an instant.
+struct FormerPhase {
+  ContactModes modes;
+  bool known = false;  ///< false at the beginning of a motion: nothing is known but who rests
+};
+
+/// Moreau's impact over all touching contacts of an island at once, then Gauss' principle for the
+/// contacts that do not open. Overlap, which is rounding, is removed, and what stays closed is put
+/// on its contacts.
+Instant happen(const State& state,
+               double t,
+               const FormerPhase& before,
+               const ContactLimits& limits,
+               Workspace& work);
+
+}  // namespace wuerfel

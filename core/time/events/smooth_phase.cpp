@@ -1,0 +1,236 @@
+#include "core/time/events/smooth_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wuerfel {
+namespace {
+
+/// Growth and shrinking of steps (Hairer, Norsett, Wanner, section II.4).
+constexpr double safety = 0.9;
+constexpr double most_growth = 6.0;
+constexpr double most_shrinking = 0.2;
+/// Units of L / V: the first step, the shortest, the first free fall and the growth of the next.
+constexpr double first_step = 0.1;
+constexpr double shortest_step = 1e-11;
+constexpr double first_fall = 4.0;
+constexpr double fall_growth = 4.0;
+/// The angle by which cubes turn at most within one free fall, rad: the search for events looks at
+/// every turn.
+constexpr double most_turning = 50.0;
+
+/// x^(-1/8), from square roots.
+double eighth_root_inverse(double x) { return 1.0 / std::sqrt(std::sqrt(std::sqrt(x))); }
+
+Twist acceleration_of(const std::vector<double>& rate, int cube) {
+  const double* a = rate.data() + components * cube + components / 2;
+  return {Vec2(a[0], a[1]), a[2]};
+}
+
+/// The parabola of free fall within h s.
+void set_parabola(const std::vector<double>& y,
+                  const std::vector<double>& rate,
+                  double h,
+                  DenseStep& motion) {
+  motion.coefficients.assign(y.size() * DenseStep::terms, 0.0);
+  double* c = motion.coefficients.data();
+  for (std::size_t i = 0; i < y.size(); ++i, c += DenseStep::terms) {
+    const bool position = i % components < components / 2;
+    const double half = position ? 0.5 * h * h * rate[i + components / 2] : 0.0;
+    c[0] = y[i];
+    c[1] = h * rate[i] + half;
+    c[2] = -half;
+  }
+}
+
+}  // namespace
+
+void EquationsOfMotion::close(ContactSet closed, const std::vector<char>& resting) {
+  contacts_.close(closed.contacts, resting);
+  touches_ = std::move(closed.touches);
+}
+
+void EquationsOfMotion::operator()(const std::vector<double>& y, std::vector<double>& rate) {
+  state_.resize(y.size() / components);
+  unpack(y, state_);
+  contacts_.accelerate(state_, twists_);
+  rate.resize(y.size());
+  double* at = rate.data();
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    const Twist& a = twists_[i];
+    at[0] = state_[i].velocity.x();
+    at[1] = state_[i].velocity.y();
+    at[2] = state_[i].spin;
+    at[3] = a.linear.x();
+    at[4] = a.linear.y();
+    at[5] = a.angular;
+    at += components;
+  }
+}
+
+void EquationsOfMotion::project(State& state) {
+  contacts_.project_positions(state);
+  contacts_.project_velocities(state);
+}
+
+void EquationsOfMotion::find_loads(std::vector<double>& loads) const {
+  wuerfel::find_loads(touches_, contacts_.contacts(), contacts_.forces(), loads);
+}
+
+void SmoothPhase::begin(const State& state,
+                        const ContactSet& closed,
+                        const std::vector<char>& resting,
+                        double tolerance) {
+  start_ = state;
+  equations_.close(closed, resting);
+  equations_.project(start_);
+  scales_ = scales_of(*system_, start_);
+  const double length = tolerance * scales_.length;
+  const double speed = tolerance * scales_.speed;
+  error_scale_.clear();
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    for (const double s :
+         {length, length, tolerance, speed, speed, tolerance * scales_.speed / scales_.length})
+      error_scale_.push_back(s);
+  }
+  fall_ = first_fall * scales_.time;
+  if (proposed_ <= 0.0) proposed_ = first_step * scales_.time;
+  pack(start_, y_);
+  equations_(y_, rate_);
+  equations_.find_loads(loads_);
+}
+
+/// Evaluates the equations and notes the loads that go with them.
+void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& rate) {
+  equations_(y, rate);
+  equations_.find_loads(seen_);
+  step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
+                                         -std::numeric_limits<double>::infinity()});
+  for (std::size_t k = 0; k < seen_.size(); ++k) {
+    LoadRange& range = step_.load_range[k];
+    range = {std::min(range.low, seen_[k]), std::max(range.high, seen_[k])};
+  }
+}
+
+const SmoothStep& SmoothPhase::step(double most) {
+  step_.load_range.clear();
+  step_.followed = true;
+  free() ? fall(most) : integrate(most);
+  return step_;
+}
+
+void SmoothPhase::fall(double most) {
+  double fastest = 0.0;
+  for (const BodyState& s : start_)
+    fastest = std::max(fastest, std::abs(s.spin));
+  const double turning =
+      fastest > 0.0 ? most_turning / fastest : std::numeric_limits<double>::infinity();
+  const double h = std::min({fall_, turning, most});
+  fall_ *= fall_growth;
+  step_.length = h;
+  set_parabola(y_, rate_, h, step_.motion);
+  step_.range.resize(start_.size());
+  for (int i = 0; i < static_cast<int>(start_.size()); ++i)
+    step_.range[i] = {acceleration_of(rate_, i), acceleration_of(rate_, i)};
+  cut(h);
+}
+
+/// Takes the step, shortened until its error is small enough.
+void SmoothPhase::integrate(double most) {
+  const auto field = [this](const auto& y, auto& rate) { evaluate(y, rate); };
+  double h = std::min(proposed_, most);
+  const bool short_cut = h < proposed_;
+  double error = 0.0;
+  bool rejected = false;
+  while (true) {
+    step_.load_range.clear();
+    method_.step(field, y_, rate_, h);
+    error = method_.error(error_scale_);
+    if (error <= 1.0) break;
+    if (h <= shortest_step * scales_.time) {
+      step_.followed = false;
+      break;
+    }
+    rejected = true;
+    h *= std::isfinite(error) ? std::max(most_shrinking, safety * eighth_root_inverse(error))
+                              : most_shrinking;
+  }
+  const double growth =
+      error > 0.0 ? std::min(most_growth, safety * eighth_root_inverse(error)) : most_growth;
+  const double next = h * (rejected ? std::min(growth, 1.0) : growth);
+  // A step that was cut short says nothing against the length that was proposed before.
+  proposed_ = short_cut && !rejected ? std::max(proposed_, next) : next;
+  complete(h);
+}
+
+/// The end of the step that was just taken, on the contacts, and its polynomial.
+void SmoothPhase::complete(double length) {
+  const auto field = [this](const auto& y, auto& rate) { evaluate(y, rate); };
+  step_.end = start_;
+  unpack(method_.next(), step_.end);
+  equations_.project(step_.end);
+  pack(step_.end, step_.y);
+  evaluate(step_.y, step_.rate);
+  equations_.find_loads(step_.loads);
+  method_.dense(field, y_, step_.rate, step_.motion);
+  step_.range.resize(start_.size());
+  for (int i = 0; i < static_cast<int>(start_.size()); ++i) {
+    TwistRange& range = step_.range[i];
+    range.low = range.high = acceleration_of(step_.rate, i);
+    for (int k = 0; k < Dop853::stages; ++k) {
+      const Twist a = acceleration_of(method_.stage(k), i);
+      range.low = {range.low.linear.cwiseMin(a.linear), std::min(range.low.angular, a.angular)};
+      range.high = {range.high.linear.cwiseMax(a.linear), std::max(range.high.angular, a.angular)};
+    }
+  }
+  step_.elapsed = step_.length = length;
+}
+
+void SmoothPhase::cut(double length) {
+  if (!free()) {
+    method_.step([this](const auto& y, auto& rate) { evaluate(y, rate); }, y_, rate_, length);
+    complete(length);
+    return;
+  }
+  step_.elapsed = length;
+  step_.end = start_;
+  look_at(step_.motion, length / step_.length, step_.end);
+  pack(step_.end, step_.y);
+  equations_(step_.y, step_.rate);
+}
+
+State SmoothPhase::shifted_end(double time) const {
+  State state = step_.end;
+  for (int i = 0; i < static_cast<int>(state.size()); ++i) {
+    BodyState& s = state[i];
+    const Twist a = acceleration_of(step_.rate, i);
+    s.position += time * s.velocity + 0.5 * time * time * a.linear;
+    s.angle += time * s.spin + 0.5 * time * time * a.angular;
+    s.velocity += time * a.linear;
+    s.spin += time * a.angular;
+  }
+  return state;
+}
+
+void SmoothPhase::shift_end(double time) {
+  step_.end = shifted_end(time);
+  step_.elapsed += time;
+}
+
+void SmoothPhase::go_on() {
+  start_ = step_.end;
+  y_ = step_.y;
+  rate_ = step_.rate;
+  loads_ = step_.loads;
+}
+
+void SmoothPhase::loads_at(const State& state, std::vector<double>& loads) {
+  std::vector<double> y;
+  std::vector<double> rate;
+  pack(state, y);
+  equations_(y, rate);
+  equations_.find_loads(loads);
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,126 @@
+/// A smooth phase: motion while the same contacts stay closed. Their sides are equalities (7), so
+/// that accelerations follow from one linear system; DOP853 integrates them with error control
+/// [Hairer, Norsett, Wanner 1993], and after every step positions and velocities are put on the
+/// contacts again. Without contacts it is a parabola of any length.
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/closed_contacts.h"
+#include "core/model/scales.h"
+#include "core/time/events/event_function.h"
+#include "core/time/events/motion_piece.h"
+
+namespace wuerfel {
+
+/// What the contacts of a phase bear (find_loads) over all evaluations of a step.
+struct LoadRange {
+  double low = 0.0;  ///< N
+  double high = 0.0;
+};
+
+/// A step, which may have been cut short after `elapsed`.
+struct SmoothStep {
+  double elapsed = 0.0;  ///< s
+  double length = 0.0;   ///< s, of the polynomial
+  DenseStep motion;
+  std::vector<TwistRange> range;      ///< of accelerations, one per cube
+  std::vector<LoadRange> load_range;  ///< one per load
+  State end;                          ///< after `elapsed`, on the contacts
+  std::vector<double> y;              ///< the same, packed
+  std::vector<double> rate;           ///< and its rate
+  std::vector<double> loads;          ///< N, there
+  /// Whether the error is small enough; else the contacts' rows nearly depend on one another, and
+  /// accelerations are no smooth function any more.
+  bool followed = true;
+};
+
+/// y' = f(y) of cubes under closed contacts.
+class EquationsOfMotion {
+ public:
+  explicit EquationsOfMotion(const System& system) : contacts_(system) {}
+
+  void close(ContactSet closed, const std::vector<char>& resting);
+  void operator()(const std::vector<double>& y, std::vector<double>& rate);
+  /// Puts a state on the closed contacts.
+  void project(State& state);
+
+  /// What the closed contacts bear at the state of the last call.
+  void find_loads(std::vector<double>& loads) const;
+  [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_.contacts(); }
+  [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
+  /// Whether the closed contacts depend on one another, so that their loads are not the only ones.
+  [[nodiscard]] bool redundant() const { return contacts_.redundant(); }
+
+ private:
+  ClosedContacts contacts_;
+  std::vector<Touch> touches_;
+  State state_;                ///< scratch of a call
+  std::vector<Twist> twists_;  ///< likewise
+};
+
+class SmoothPhase {
+ public:
+  /// `parabolas`: cubes that touch nothing fall on their parabola, without an integrator.
+  SmoothPhase(const System& system, bool parabolas)
+      : system_(&system), equations_(system), parabolas_(parabolas) {}
+
+  /// A motion begins: nothing is known of how long steps may be.
+  void forget_step() { proposed_ = 0.0; }
+  /// The phase begins at a state, which is put on the contacts. `tolerance`: of a step, in units of
+  /// L and V.
+  void begin(const State& state,
+             const ContactSet& closed,
+             const std::vector<char>& resting,
+             double tolerance);
+
+  [[nodiscard]] const Scales& scales() const { return scales_; }
+  /// State at the beginning of the next step, and what the contacts bear there.
+  [[nodiscard]] const State& state() const { return start_; }
+  [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
+  [[nodiscard]] const EquationsOfMotion& equations() const { return equations_; }
+
+  /// Takes a step of at most `most` s.
+  const SmoothStep& step(double most);
+  [[nodiscard]] const SmoothStep& last() const { return step_; }
+  /// Takes the same step again, but only as far as `length`.
+  void cut(double length);
+  /// Moves the end of the step by a moment in which accelerations change by no more than rounding.
+  void shift_end(double time);
+  /// The end of the step as `shift_end` would move it.
+  [[nodiscard]] State shifted_end(double time) const;
+  /// The step is over: the next one begins where it ended.
+  void go_on();
+
+  /// Loads at a state near the phase.
+  void loads_at(const State& state, std::vector<double>& loads);
+  /// Puts a state on the closed contacts.
+  void project(State& state) { equations_.project(state); }
+  [[nodiscard]] bool redundant() const { return equations_.redundant(); }
+  [[nodiscard]] bool free() const {
+    return parabolas_ && equations_.contacts().empty();
+  }
+
+ private:
+  void evaluate(const std::vector<double>& y, std::vector<double>& rate);
+  void fall(double most);
+  void integrate(double most);
+  void complete(double length);
+
+  const System* system_;
+  EquationsOfMotion equations_;
+  Dop853 method_;
+  Scales scales_;
+  std::vector<double> error_scale_;
+  State start_;
+  std::vector<double> y_;     ///< the same, packed
+  std::vector<double> rate_;  ///< and its rate
+  std::vector<double> loads_;
+  std::vector<double> seen_;  ///< scratch of `evaluate`
+  SmoothStep step_;
+  double proposed_ = 0.0;  ///< s, length of the next step
+  bool parabolas_ = true;
+  double fall_ = 0.0;      ///< s, of the next free fall
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,23 @@
+/// Programs that were solved on the way to an answer, for whoever keeps book.
+#pragma once
+
+#include "core/dynamics/gauss.h"
+#include "core/time/bookkeeping.h"
+
+namespace wuerfel {
+
+struct Solves {
+  long solved = 0;
+  long skipped = 0;       ///< former answers that still passed
+  long missed = 0;        ///< whose residual missed the tolerance
+  long infeasible = 0;    ///< that have no solution, which is an answer
+  double residual = 0.0;  ///< the worst
+
+  /// A program whose answer is used as it is.
+  void add(const IslandSolution& solution);
+};
+
+/// Adds solves to a book.
+void keep_book(const Solves& solves, Bookkeeping& book);
+
+}  // namespace wuerfel

@@ -1,0 +1,56 @@
+// Bounds, neighbours and sets of bodies.
+#include "core/constraints/neighbours.h"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/union_find.h"
+#include "tests/support/mechanisms.h"
+
+namespace wuerfel::test {
+namespace {
+
+TEST(Neighbours, BoundsHoldTheirBoxes) {
+  const Box a = make_box({1.0, 2.0}, 0.4, {2.0, 0.5});
+  const Box b = make_box({3.0, 1.0}, 1.4, {2.0, 0.5});
+  const BoundingBox swept = swept_bounds(a, b, 0.1);
+  for (const Box& box : {a, b}) {
+    const BoundingBox posed = posed_bounds(box, 0.1);
+    for (int k = 0; k < Box::corners; ++k) {
+      const BoundingBox corner{box.corner(k), box.corner(k)};
+      EXPECT_TRUE(posed.overlaps(corner));
+    }
+    EXPECT_TRUE((swept.low.array() <= posed.low.array()).all());
+    EXPECT_TRUE((swept.high.array() >= posed.high.array()).all());
+  }
+  const BoundingBox way = predicted_bounds({0.0, 1.0}, {2.0, -1.0}, {0.5, 0.25});
+  EXPECT_EQ(way.low, Vec2(-0.5, -1.25));
+  EXPECT_EQ(way.high, Vec2(2.5, 1.25));
+}
+
+TEST(Neighbours, ArePairsWithACube) {
+  Scene scene = on_ground({block("a", {0.0, 0.5}), block("b", {0.9, 1.4}), block("c", {5.0, 0.5})});
+  scene.fixed = {post("p", {5.5, 0.0}, {1.0, 1.0}), post("q", {6.0, 0.0}, {1.0, 1.0})};
+  const Mechanism m(scene);
+  std::vector<Box> boxes;
+  pose_boxes(m.system, m.state, boxes);
+  EXPECT_EQ(box_count(m.system), 5);
+  Neighbours neighbours;
+  const auto pairs = neighbours.find(m.system, [&](int i) { return posed_bounds(boxes[i], 0.1); });
+  const std::vector<IndexPair> expected = {{0, 1}, {2, 3}, {2, 4}};
+  EXPECT_EQ(std::vector<IndexPair>(pairs.begin(), pairs.end()), expected) << "p and q are fixed";
+}
+
+TEST(UnionFind, RootIsTheSmallestOfTheSet) {
+  UnionFind sets(6);
+  EXPECT_TRUE(sets.unite(4, 2));
+  EXPECT_TRUE(sets.unite(5, 4));
+  EXPECT_FALSE(sets.unite(2, 5));
+  EXPECT_TRUE(sets.unite(1, 5));
+  for (const int i : {1, 2, 4, 5})
+    EXPECT_EQ(sets.root(i), 1);
+  EXPECT_EQ(sets.root(0), 0);
+  EXPECT_EQ(sets.root(3), 3);
+}
+
+}  // namespace
+}  // namespace wuerfel::test
