@@ -1,0 +1,140 @@
+#include "core/qp/coulomb/coulomb_residual.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// v / scale, where a scale of 0 allows nothing but 0.
+double relative(double v, double scale) {
+  if (v == 0.0) return 0.0;
+  return scale > 0.0 ? std::abs(v) / scale : unbounded;
+}
+
+/// sqrt(M_first / M) of a coordinate: what makes it one of the first of its block.
+double unit_of(const QuadraticProgram& p, int coordinate) {
+  return std::sqrt(p.mass[coordinate - coordinate % p.block_size] / p.mass[coordinate]);
+}
+
+double norm_of(const QuadraticProgram& p, int row) {
+  double square = 0.0;
+  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
+    const int first = p.entry_block[e] * p.block_size;
+    for (int c = 0; c < p.block_size; ++c) {
+      const double J = p.coefficients[e * p.block_size + c];
+      square += J * J * (p.mass[first] / p.mass[first + c]);
+    }
+  }
+  return std::sqrt(square);
+}
+
+bool all_numbers(const std::vector<double>& values) {
+  double nothing = 0.0;
+  for (const double v : values)
+    nothing += v * 0.0;
+  return nothing == 0.0;
+}
+
+/// Of one contact or row, all relative to the scales.
+struct Relative {
+  double force, velocity;
+};
+
+/// |min(lambda, u)| for lambda >= 0, u >= 0.
+double complementarity(const Relative& r) { return std::abs(std::min(r.force, r.velocity)); }
+
+}  // namespace
+
+double CoulombResidual::worst() const {
+  return std::max({stationarity, rows, normal, cone, slip});
+}
+
+const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
+  scales_.velocity = scales_.weight = 0.0;
+  for (int j = 0; j < p.unknowns(); ++j) {
+    scales_.velocity = std::max(scales_.velocity, std::abs(p.target[j]) / unit_of(p, j));
+    scales_.weight = std::max(scales_.weight, std::abs(p.target[j] * p.mass[j]) * unit_of(p, j));
+  }
+  double largest = 0.0;
+  scales_.row_norm.resize(p.bound.size());
+  for (int i = 0; i < p.rows(); ++i)
+    largest = std::max(largest, scales_.row_norm[i] = norm_of(p, i));
+  for (double& norm : scales_.row_norm)
+    if (norm == 0.0) norm = largest > 0.0 ? largest : 1.0;
+  for (int i = 0; i < p.rows(); ++i)
+    scales_.velocity = std::max(scales_.velocity, std::abs(p.bound[i]) / scales_.row_norm[i]);
+  return scales_;
+}
+
+CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
+                                      const std::vector<double>& x,
+                                      const std::vector<double>& multiplier) {
+  const QuadraticProgram& p = friction.program;
+  const std::vector<double>& norm = scales_.row_norm;
+  CoulombResidual residual;
+  if (!all_numbers(x) || !all_numbers(multiplier)) {
+    residual.stationarity = unbounded;
+    return residual;
+  }
+  force_.resize(x.size());
+  slack_.resize(p.bound.size());
+  for (int j = 0; j < p.unknowns(); ++j)
+    force_[j] = p.mass[j] * (x[j] - p.target[j]);
+  double largest = scales_.weight;
+  for (int i = 0; i < p.rows(); ++i) {
+    slack_[i] = -p.bound[i];
+    largest = std::max(largest, std::abs(multiplier[i]) * norm[i]);
+    for (int e = p.row_start[i]; e < p.row_start[i + 1]; ++e) {
+      const int first = p.entry_block[e] * p.block_size;
+      for (int c = 0; c < p.block_size; ++c) {
+        const double J = p.coefficients[e * p.block_size + c];
+        slack_[i] += J * x[first + c];
+        force_[first + c] -= J * multiplier[i];
+      }
+    }
+  }
+  const auto force = [&](double lambda, int row) { return relative(lambda * norm[row], largest); };
+  const auto speed = [&](double u, int row) { return relative(u / norm[row], scales_.velocity); };
+  for (int j = 0; j < p.unknowns(); ++j) {
+    residual.stationarity =
+        std::max(residual.stationarity, relative(force_[j] * unit_of(p, j), largest));
+  }
+  of_contact_.assign(p.bound.size(), 0);
+  for (const FrictionContact& c : friction.contacts) {
+    const double ln = multiplier[c.normal];
+    const double un = slack_[c.normal];
+    of_contact_[c.normal] = 1;
+    const Relative n{std::copysign(force(ln, c.normal), ln), std::copysign(speed(un, c.normal), un)};
+    residual.normal = std::max(residual.normal, complementarity(n));
+    if (c.tangent < 0) continue;
+    of_contact_[c.tangent] = 1;
+    const double lt = multiplier[c.tangent];
+    const double ut = slack_[c.tangent];
+    const double outside = std::max(std::abs(lt) - c.mu * std::max(ln, 0.0), 0.0);
+    residual.cone = std::max(residual.cone, force(outside, c.tangent));
+    if (c.mu == 0.0) continue;
+    const double direction = c.slides != 0 ? c.slides : std::copysign(1.0, ut);
+    const double excess = force(c.mu * ln + direction * lt, c.tangent);
+    residual.slip =
+        std::max(residual.slip, c.slides != 0 ? excess : std::min(speed(ut, c.tangent), excess));
+  }
+  for (int i = 0; i < p.rows(); ++i) {
+    if (of_contact_[i] != 0) continue;
+    const Relative r{std::copysign(force(multiplier[i], i), multiplier[i]),
+                     std::copysign(speed(slack_[i], i), slack_[i])};
+    residual.rows =
+        std::max(residual.rows, p.is_equality(i) ? std::abs(r.velocity) : complementarity(r));
+  }
+  return residual;
+}
+
+CoulombResidual coulomb_residual(const FrictionProgram& friction,
+                                 const std::vector<double>& x,
+                                 const std::vector<double>& multiplier) {
+  CoulombJudge judge;
+  judge.measure_scales(friction.program);
+  return judge.measure(friction, x, multiplier);
+}
+
+}  // namespace wuerfel
