@@ -179,11 +179,13 @@ ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
     const Pair& l = point.l[i];
     const Pair& dl = system_.dl()[i];
     if (mode == ContactMode::open) {
+      const Pair rate = slack_rate(form, i);
       const Pair e = slack(form, point, i);
-      const double ut = e.t - t_ * r_[i].t;
-      const ContactMode to = unit.tangent < 0 ? ContactMode::closed
-                                              : slip_mode(unit.slides != 0 ? unit.slides : ut);
-      meet(e.n - t_ * r_[i].n, slack_rate(form, i).n, i, to);
+      meet(e.n - t_ * r_[i].n, rate.n, i, ContactMode::closed);
+      if (first.unit != i || unit.tangent < 0) continue;
+      // The direction of slip is the one where it closes.
+      const double ut = e.t - t_ * r_[i].t + direction * first.step * rate.t;
+      first.to = slip_mode(unit.slides != 0 ? unit.slides : ut);
       continue;
     }
     if (mode == ContactMode::stick) {
