@@ -56,7 +56,8 @@ QuadraticProgram frictionless(const FrictionCase& c) {
   p.target = c.program.target;
   for (const FrictionContact& contact : c.contacts) {
     p.add_inequality(c.program.bound[contact.normal]);
-    for (int e = c.program.row_start[contact.normal]; e < c.program.row_start[contact.normal + 1]; ++e)
+    for (int e = c.program.row_start[contact.normal]; e < c.program.row_start[contact.normal + 1];
+         ++e)
       p.add_entry(c.program.entry_block[e], c.program.entry(e));
   }
   return p;
@@ -128,11 +129,13 @@ void run(const Scene& scene) {
   for (const double mu : {0.1, 0.3, 0.6, 0.8, 1.0, 2.0})
     measure(scene, mu, sums);
   const double us = 1e6;
-  std::printf("%-22s qp %8.1f/%8.1f exact %9.1f/%9.1f us (%5.1f /%5.1f) worst %.0e/%.0e failed %d crossings %d |",
-              scene.name.c_str(), us * median(sums.qp_cold), us * median(sums.qp_warm),
-              us * median(sums.cold), us * median(sums.warm),
-              median(sums.cold) / median(sums.qp_cold), median(sums.warm) / median(sums.qp_warm),
-              sums.worst_cold, sums.worst_warm, sums.failures, sums.crossings);
+  std::printf(
+      "%-22s qp %8.1f/%8.1f exact %9.1f/%9.1f us (%5.1f /%5.1f) worst %.0e/%.0e failed %d "
+      "crossings %d |",
+      scene.name.c_str(), us * median(sums.qp_cold), us * median(sums.qp_warm),
+      us * median(sums.cold), us * median(sums.warm), median(sums.cold) / median(sums.qp_cold),
+      median(sums.warm) / median(sums.qp_warm), sums.worst_cold, sums.worst_warm, sums.failures,
+      sums.crossings);
   for (const auto& [stage, count] : sums.cold_stages)
     std::printf(" %s %d", stage.c_str(), count);
   std::printf(" |");

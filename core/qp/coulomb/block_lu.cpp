@@ -13,8 +13,7 @@ namespace {
 inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 4; ++r) {
-      C[c].v[r] -=
-          (A[0].v[r] * B[0].v[c] + A[1].v[r] * B[1].v[c]) + A[2].v[r] * B[2].v[c];
+      C[c].v[r] -= (A[0].v[r] * B[0].v[c] + A[1].v[r] * B[1].v[c]) + A[2].v[r] * B[2].v[c];
     }
   }
 }
@@ -61,8 +60,7 @@ inline void multiply(Quad* C, const Quad* X) {
   Quad P[3];
   for (int c = 0; c < 3; ++c) {
     for (int r = 0; r < 4; ++r) {
-      P[c].v[r] =
-          (C[0].v[r] * X[c].v[0] + C[1].v[r] * X[c].v[1]) + C[2].v[r] * X[c].v[2];
+      P[c].v[r] = (C[0].v[r] * X[c].v[0] + C[1].v[r] * X[c].v[1]) + C[2].v[r] * X[c].v[2];
     }
   }
   for (int c = 0; c < 3; ++c)

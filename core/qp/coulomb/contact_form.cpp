@@ -47,8 +47,7 @@ void ContactForm::gather(const FrictionProgram& friction) {
                       .slides = single ? 0 : c.slides});
   }
   for (int row = 0; row < p.rows(); ++row) {
-    if (of_contact_[row] == 0)
-      units_.push_back({.normal = row, .equality = p.is_equality(row)});
+    if (of_contact_[row] == 0) units_.push_back({.normal = row, .equality = p.is_equality(row)});
   }
   couplings_.assign(1, blocks_);
   for (ContactUnit& unit : units_) {
@@ -142,7 +141,10 @@ void ContactForm::scale(const FrictionProgram& friction, const CoulombScales& sc
   }
 }
 
-void ContactForm::scale_row(const QuadraticProgram& p, int row, bool tangential, ContactUnit& unit) {
+void ContactForm::scale_row(const QuadraticProgram& p,
+                            int row,
+                            bool tangential,
+                            ContactUnit& unit) {
   double shift = 0.0;
   double square = 0.0;
   for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
@@ -174,7 +176,7 @@ void ContactForm::scale_row(const QuadraticProgram& p, int row, bool tangential,
 }
 
 [[gnu::target_clones("avx2", "default")]] void ContactForm::apply_transposed(const Pair* l,
-                                                                            Quad* out) const {
+                                                                             Quad* out) const {
   std::fill(out, out + blocks_, Quad{});
   for (const ContactUnit& unit : units_) {
     const Pair& f = *l++;

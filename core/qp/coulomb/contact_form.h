@@ -29,7 +29,7 @@ struct ContactUnit {
   int slides = 0;
   bool equality = false;
   Pair h{};
-  Pair square{};  ///< |g|^2; of the largest row for rows of zeros
+  Pair square{};        ///< |g|^2; of the largest row for rows of zeros
   Pair per_velocity{};  ///< slack times this is relative to the largest velocity
   Pair norm{};          ///< multiplier times this is a force
 };
@@ -71,7 +71,9 @@ class ContactForm {
   [[nodiscard]] int sign() const { return lu_.sign(); }
 
   /// x = f + M^(-1/2) y, in the numbering of the program.
-  void read(const QuadraticProgram& program, const std::vector<Quad>& y, std::vector<double>& x) const;
+  void read(const QuadraticProgram& program,
+            const std::vector<Quad>& y,
+            std::vector<double>& x) const;
   /// The multipliers of all rows.
   void read(const std::vector<Pair>& l, std::vector<double>& multiplier) const;
 
@@ -88,10 +90,10 @@ class ContactForm {
   int rows_ = 0;
   std::vector<ContactUnit> units_;
   std::vector<ContactEntry> entry_;
-  std::vector<int> block_;         ///< of the entries: elimination numbers, increasing in a unit
-  std::vector<int> pair_;          ///< of each unit: places of (b, a) for entries a <= b
-  std::vector<int> graph_;         ///< blocks of the units, as the plan was made for
-  std::vector<int> couplings_;     ///< the same of this program
+  std::vector<int> block_;      ///< of the entries: elimination numbers, increasing in a unit
+  std::vector<int> pair_;       ///< of each unit: places of (b, a) for entries a <= b
+  std::vector<int> graph_;      ///< blocks of the units, as the plan was made for
+  std::vector<int> couplings_;  ///< the same of this program
   std::vector<int> order_, position_;
   std::vector<Quad> root_;  ///< M^(-1/2) by elimination number
   std::vector<char> of_contact_;

@@ -46,9 +46,7 @@ double complementarity(const Relative& r) { return std::abs(std::min(r.force, r.
 
 }  // namespace
 
-double CoulombResidual::worst() const {
-  return std::max({stationarity, rows, normal, cone, slip});
-}
+double CoulombResidual::worst() const { return std::max({stationarity, rows, normal, cone, slip}); }
 
 const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
   scales_.velocity = scales_.weight = 0.0;
@@ -105,7 +103,8 @@ CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
     const double ln = multiplier[c.normal];
     const double un = slack_[c.normal];
     of_contact_[c.normal] = 1;
-    const Relative n{std::copysign(force(ln, c.normal), ln), std::copysign(speed(un, c.normal), un)};
+    const Relative n{std::copysign(force(ln, c.normal), ln),
+                     std::copysign(speed(un, c.normal), un)};
     residual.normal = std::max(residual.normal, complementarity(n));
     if (c.tangent < 0) continue;
     of_contact_[c.tangent] = 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/qp/coulomb/cone_interior_point.h"
 #include "core/qp/coulomb/convex_relaxation.h"
 #include "core/qp/coulomb/mode_newton.h"
 #include "core/qp/coulomb/mode_path.h"
@@ -12,8 +13,11 @@ namespace wuerfel {
 namespace {
 
 constexpr double usual_delta = 1e-8;
+constexpr double least_path_delta = 1e-12;
+constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without pivoting
 constexpr double convex_tolerance = 1e-12;
 constexpr int lemke_seeds = 3;
+constexpr int interior_seeds = 4;
 constexpr int crossings_per_contact = 30;
 constexpr int most_proximal_steps = 8;
 
@@ -29,6 +33,8 @@ std::string_view to_string(CoulombStage stage) {
       return "newton";
     case CoulombStage::convex:
       return "convex";
+    case CoulombStage::interior:
+      return "interior";
     case CoulombStage::path:
       return "path";
     case CoulombStage::lemke:
@@ -45,19 +51,32 @@ struct CoulombSolver::Work {
   void remember(std::span<const std::uint64_t> keys);
   bool newton(const FrictionProgram& friction, CoulombResult& result);
   bool relax(const FrictionProgram& friction, CoulombResult& result);
-  bool follow(const FrictionProgram& friction, bool from_open, std::uint64_t seed, double delta,
+  bool interior(const FrictionProgram& friction,
+                double spread,
+                std::uint64_t seed,
+                CoulombResult& result);
+  bool follow(const FrictionProgram& friction,
+              bool from_open,
+              std::uint64_t seed,
+              double delta,
               CoulombResult& result);
-  bool settle(const FrictionProgram& friction, CoulombStage stage, double delta, CoulombResult& result);
+  bool settle(const FrictionProgram& friction,
+              CoulombStage stage,
+              double delta,
+              CoulombResult& result);
   bool accept(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool judge_point(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
-  void modes_of(const std::vector<double>& multiplier);
+  void take(const std::vector<double>& multiplier_given);
+  void find_modes();
   [[nodiscard]] ContactMode first_mode(const ContactUnit& unit) const;
 
   CoulombSettings settings;
   CoulombJudge judge;
+  CoulombScales judge_scales;
   ContactForm form;
   ConvexRelaxation convex;
   ModeNewton mode_newton;
+  ConeInteriorPoint cone_interior;
   ModePath mode_path;
   std::vector<ContactMode> modes;
   ContactPoint point;
@@ -95,14 +114,17 @@ void CoulombSolver::solve(const FrictionProgram& friction,
     forget();
     return;
   }
-  w.form.prepare(friction, w.judge.measure_scales(friction.program));
+  w.judge_scales = w.judge.measure_scales(friction.program);
+  w.form.prepare(friction, w.judge_scales);
   w.recall(keys);
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
   bool solved = w.certificate(friction, result) || w.newton(friction, result)
-                || w.relax(friction, result)
-                || w.follow(friction, false, seed, usual_delta, result);
+                || w.relax(friction, result) || w.interior(friction, 0.0, seed, result);
+  for (int k = 1; !solved && k < interior_seeds; ++k)
+    solved = w.interior(friction, 0.5 + 0.5 * k, seed + k, result);
+  if (!solved) solved = w.follow(friction, false, seed, path_delta, result);
   for (int k = 0; !solved && k < lemke_seeds; ++k)
-    solved = w.follow(friction, true, seed + 7919U * (k + 1U), usual_delta, result);
+    solved = w.follow(friction, true, seed + 7919U * (k + 1U), path_delta, result);
   result.status = solved ? QpStatus::optimal : QpStatus::inaccurate;
   w.remember(keys);
 }
@@ -114,9 +136,9 @@ ContactMode CoulombSolver::Work::first_mode(const ContactUnit& unit) const {
 
 /// Modes and forces of the contacts that are still there; others stick.
 void CoulombSolver::Work::recall(std::span<const std::uint64_t> keys) {
-  recalled = !memory.modes.empty()
-             && (keys.empty() ? memory.keys.empty() && memory.rows == form.count()
-                              : !memory.keys.empty());
+  recalled =
+      !memory.modes.empty()
+      && (keys.empty() ? memory.keys.empty() && memory.rows == form.count() : !memory.keys.empty());
   modes.resize(form.count());
   point.reset(form);
   for (int i = 0; i < form.count(); ++i)
@@ -132,7 +154,9 @@ void CoulombSolver::Work::recall(std::span<const std::uint64_t> keys) {
     }
     const ContactUnit& unit = form.units()[i];
     const ContactMode mode = memory.modes[from];
-    if (mode != ContactMode::open && unit.slides == 0 && (unit.tangent >= 0) != (mode != ContactMode::closed)) continue;
+    if (mode != ContactMode::open && unit.slides == 0
+        && (unit.tangent >= 0) != (mode != ContactMode::closed))
+      continue;
     if (unit.equality) continue;
     if (mode != ContactMode::open && unit.slides != 0) continue;
     modes[i] = mode;
@@ -172,8 +196,7 @@ bool CoulombSolver::Work::newton(const FrictionProgram& friction, CoulombResult&
   return outcome.settled && judge_point(friction, CoulombStage::newton, result);
 }
 
-/// Modes of a point given by multipliers, and the point.
-void CoulombSolver::Work::modes_of(const std::vector<double>& multiplier_given) {
+void CoulombSolver::Work::take(const std::vector<double>& multiplier_given) {
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
     point.l[i] = {multiplier_given[unit.normal],
@@ -181,6 +204,11 @@ void CoulombSolver::Work::modes_of(const std::vector<double>& multiplier_given) 
     clamp_to_cone(unit, point.l[i]);
   }
   point.recompute(form);
+  find_modes();
+}
+
+/// The modes that the forces of the point show.
+void CoulombSolver::Work::find_modes() {
   double force = 0.0;
   for (int i = 0; i < form.count(); ++i)
     force = std::max(force, point.l[i].n * form.units()[i].norm.n);
@@ -202,7 +230,7 @@ bool CoulombSolver::Work::relax(const FrictionProgram& friction, CoulombResult& 
   const QpStatus status = convex.solve(friction);
   result.factorisations += convex.iterations();
   if (status != QpStatus::optimal && status != QpStatus::inaccurate) return false;
-  modes_of(convex.multiplier());
+  take(convex.multiplier());
   form.read(point.l, multiplier);
   cone = point.l;
   x = convex.x();
@@ -218,23 +246,36 @@ bool CoulombSolver::Work::relax(const FrictionProgram& friction, CoulombResult& 
   return false;
 }
 
+bool CoulombSolver::Work::interior(const FrictionProgram& friction,
+                                   double spread,
+                                   std::uint64_t seed,
+                                   CoulombResult& result) {
+  const ConeInteriorOutcome outcome =
+      cone_interior.run(form, judge_scales.weight, {.spread = spread, .seed = seed}, point);
+  result.factorisations += outcome.factorisations;
+  find_modes();
+  if (judge_point(friction, CoulombStage::interior, result)) return true;
+  return outcome.worst < 1e-4 && settle(friction, CoulombStage::interior, usual_delta, result);
+}
+
 bool CoulombSolver::Work::follow(const FrictionProgram& friction,
                                  bool from_open,
                                  std::uint64_t seed,
                                  double delta,
                                  CoulombResult& result) {
   const CoulombStage stage = from_open ? CoulombStage::lemke : CoulombStage::path;
-  const ModePathEffort effort{.delta = delta,
-                              .most_crossings = 100 + crossings_per_contact * form.count()};
+  ModePathEffort effort{.delta = delta,
+                        .most_crossings = 100 + crossings_per_contact * form.count()};
   std::vector<Pair> centre(point.l.size(), Pair{});
   for (int k = 0; k < most_proximal_steps; ++k) {
     const ModePathOutcome outcome =
         from_open && k == 0 ? mode_path.run_from_open(form, modes, point, centre, seed, effort)
                             : mode_path.run(form, modes, point, centre, seed + k, effort);
+    effort.delta = std::max(0.01 * effort.delta, least_path_delta);
     result.crossings += outcome.crossings;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
-    if (settle(friction, stage, delta, result)) return true;
+    if (settle(friction, stage, usual_delta, result)) return true;
     centre = point.l;
   }
   return false;

@@ -6,6 +6,7 @@
 ///     newton        from the modes remembered, or all sticking
 ///     convex        the convex relaxation, where it happens to satisfy the exact law; then newton
 ///                   from its modes
+///     interior      the interior point method on the exact law; newton from its modes
 ///     path          the piecewise linear path from the point that is best so far
 ///     lemke         the path from all contacts open, which always arrives but for rounding; three
 ///                   covering vectors
@@ -26,14 +27,14 @@
 
 namespace wuerfel {
 
-enum class CoulombStage { none, certificate, newton, convex, path, lemke };
+enum class CoulombStage { none, certificate, newton, convex, interior, path, lemke };
 std::string_view to_string(CoulombStage stage);
 
 struct [[nodiscard]] CoulombResult {
   QpStatus status = QpStatus::invalid;
-  std::vector<double> x;           ///< n
-  std::vector<double> multiplier;  ///< m
-  CoulombResidual residual;        ///< of the exact law
+  std::vector<double> x;                    ///< n
+  std::vector<double> multiplier;           ///< m
+  CoulombResidual residual;                 ///< of the exact law
   CoulombStage stage = CoulombStage::none;  ///< that found the answer
   int factorisations = 0;
   int crossings = 0;  ///< of paths

@@ -16,7 +16,8 @@ std::string_view defect(const FrictionProgram& friction) {
     return true;
   };
   for (const FrictionContact& contact : friction.contacts) {
-    if (!(contact.mu >= 0.0) || !std::isfinite(contact.mu)) return "a coefficient of friction is bad";
+    if (!(contact.mu >= 0.0) || !std::isfinite(contact.mu))
+      return "a coefficient of friction is bad";
     if (!take(contact.normal)) return "a contact has no normal row of its own";
     if (contact.tangent < 0 && contact.mu == 0.0) continue;
     if (!take(contact.tangent)) return "a contact has no tangential row of its own";

@@ -43,13 +43,13 @@ int revise_modes(const ContactForm& form,
   double force = 0.0;
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
-    force = std::max({force, std::abs(point.l[i].n) * unit.norm.n,
-                      std::abs(point.l[i].t) * unit.norm.t});
+    force = std::max(
+        {force, std::abs(point.l[i].n) * unit.norm.n, std::abs(point.l[i].t) * unit.norm.t});
   }
   int moved = 0;
   for (int i = 0; i < form.count(); ++i) {
-    const ContactMode wanted = wanted_mode(form.units()[i], modes[i], point.l[i], point.rest[i],
-                                           noise, noise * force);
+    const ContactMode wanted =
+        wanted_mode(form.units()[i], modes[i], point.l[i], point.rest[i], noise, noise * force);
     if (wanted == modes[i]) continue;
     modes[i] = wanted;
     ++moved;

@@ -3,26 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/coulomb/dice.h"
+
 namespace wuerfel {
-namespace {
-
-/// Numbers in [0, 1), the same everywhere. [Vigna 2015] splitmix64
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
-  double next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-}  // namespace
-
 ModePathOutcome ModePath::run(ContactForm& form,
                               std::vector<ContactMode>& modes,
                               ContactPoint& point,
