@@ -238,8 +238,8 @@ void CanonicalFriction::mark_unique(CanonicalForces& result, const std::vector<P
     for (int opposite = 0; opposite < 2; ++opposite) {
       if (nearest(wish) <= good_balance) {
         for (std::size_t i = 0; i < result.unique.size(); ++i) {
-          const double change = std::max(std::abs(l_[i].n - canonical[i].n),
-                                         std::abs(l_[i].t - canonical[i].t));
+          const double change =
+              std::max(std::abs(l_[i].n - canonical[i].n), std::abs(l_[i].t - canonical[i].t));
           if (change > same_force * force) result.unique[i] = false;
         }
       }

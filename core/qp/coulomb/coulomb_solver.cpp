@@ -20,6 +20,12 @@ constexpr int lemke_seeds = 3;
 constexpr int interior_seeds = 4;
 constexpr int crossings_per_contact = 30;
 constexpr int most_proximal_steps = 8;
+constexpr double jamming_force = 1e6;  ///< in weights
+
+bool any_slides(const FrictionProgram& friction) {
+  return std::any_of(friction.contacts.begin(), friction.contacts.end(),
+                     [](const FrictionContact& c) { return c.slides != 0 && c.mu > 0.0; });
+}
 
 }  // namespace
 
@@ -46,6 +52,10 @@ std::string_view to_string(CoulombStage stage) {
 struct CoulombSolver::Work {
   explicit Work(const CoulombSettings& asked) : settings(asked), convex(convex_tolerance) {}
 
+  bool find(const FrictionProgram& friction,
+            std::span<const std::uint64_t> keys,
+            CoulombResult& result);
+  [[nodiscard]] bool jams(const FrictionProgram& friction, const CoulombResult& result) const;
   bool certificate(const FrictionProgram& friction, CoulombResult& result);
   void recall(std::span<const std::uint64_t> keys);
   void remember(std::span<const std::uint64_t> keys);
@@ -117,16 +127,42 @@ void CoulombSolver::solve(const FrictionProgram& friction,
   w.judge_scales = w.judge.measure_scales(friction.program);
   w.form.prepare(friction, w.judge_scales);
   w.recall(keys);
-  const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
-  bool solved = w.certificate(friction, result) || w.newton(friction, result)
-                || w.relax(friction, result) || w.interior(friction, 0.0, seed, result);
-  for (int k = 1; !solved && k < interior_seeds; ++k)
-    solved = w.interior(friction, 0.5 + 0.5 * k, seed + k, result);
-  if (!solved) solved = w.follow(friction, false, seed, path_delta, result);
-  for (int k = 0; !solved && k < lemke_seeds; ++k)
-    solved = w.follow(friction, true, seed + 7919U * (k + 1U), path_delta, result);
+  const bool solved = w.find(friction, keys, result);
   result.status = solved ? QpStatus::optimal : QpStatus::inaccurate;
+  if (any_slides(friction) && (!solved || w.jams(friction, result)))
+    result.status = QpStatus::infeasible;
   w.remember(keys);
+}
+
+/// The stages one after the other. Where slips are known nothing is convex, and the solution nearest
+/// to the former modes comes first.
+bool CoulombSolver::Work::find(const FrictionProgram& friction,
+                               std::span<const std::uint64_t> keys,
+                               CoulombResult& result) {
+  const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
+  if (certificate(friction, result) || newton(friction, result)) return true;
+  if (any_slides(friction)) {
+    recall(keys);
+    if (follow(friction, false, seed, path_delta, result)) return true;
+  } else if (relax(friction, result)) {
+    return true;
+  }
+  if (interior(friction, 0.0, seed, result)) return true;
+  for (int k = 1; k < interior_seeds; ++k)
+    if (interior(friction, 0.5 + 0.5 * k, seed + k, result)) return true;
+  if (follow(friction, false, seed, path_delta, result)) return true;
+  for (int k = 1; k <= lemke_seeds; ++k)
+    if (follow(friction, true, seed + 7919U * k, path_delta, result)) return true;
+  return false;
+}
+
+/// Forces beyond everything: the effective inverse mass of what slips has all but vanished.
+bool CoulombSolver::Work::jams(const FrictionProgram& friction, const CoulombResult& result) const {
+  const auto beyond = [&](const FrictionContact& c) {
+    const double force = result.multiplier[c.normal] * judge_scales.row_norm[c.normal];
+    return force > jamming_force * judge_scales.weight;
+  };
+  return std::any_of(friction.contacts.begin(), friction.contacts.end(), beyond);
 }
 
 ContactMode CoulombSolver::Work::first_mode(const ContactUnit& unit) const {

@@ -11,6 +11,9 @@
 ///     lemke         the path from all contacts open, which always arrives but for rounding; three
 ///                   covering vectors
 ///
+/// Where directions of slip are known there may be no solution (Painleve): `infeasible`, also where
+/// a force is beyond 1e6 weights; else the solution nearest to the modes remembered.
+///
 /// What misses the tolerance in all of them is the best point of all, `inaccurate` with its
 /// residual. Deterministic: what is random is seeded by the number of contacts.
 #pragma once

@@ -5,7 +5,7 @@
 namespace wuerfel {
 namespace {
 
-constexpr int steps = 1 << 20;           ///< of the factor
+constexpr int steps = 1 << 20;          ///< of the factor
 constexpr double energy_noise = 1e-13;  ///< share of the energy that is rounding
 
 double energy(const QuadraticProgram& p, const std::vector<double>& x) {
