@@ -71,11 +71,11 @@ void ConeInteriorPoint::set_weights(const ContactForm& form, double delta) {
     const ContactUnit& unit = form.units()[i];
     const Pairs& p = pairs_[i];
     ContactForm::Weight w;
-    w.nn = 1.0 / (delta * unit.square.n + p.slack[0] / p.force[0]);
+    w.nn = 1.0 / (delta * unit.compliance.n + p.slack[0] / p.force[0]);
     if (p.count == 3) {
       const double A = p.slack[1] / p.force[1];
       const double B = p.slack[2] / p.force[2];
-      w.tt = 1.0 / (delta * unit.square.t + A + B);
+      w.tt = 1.0 / (delta * unit.compliance.t + A + B);
       w.tn = -unit.mu * (B - A) * w.nn * w.tt;
     } else if (unit.slides != 0) {
       w.tn = -unit.slides * unit.mu * w.nn;

@@ -138,6 +138,7 @@ void ContactForm::scale(const FrictionProgram& friction, const CoulombScales& sc
   for (ContactUnit& unit : units_) {
     if (unit.square.n == 0.0) unit.square.n = largest;
     if (unit.square.t == 0.0) unit.square.t = largest;
+    unit.compliance = {unit.square.n * std::max(1.0, unit.mu), unit.square.t};
   }
 }
 

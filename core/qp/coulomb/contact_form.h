@@ -30,6 +30,7 @@ struct ContactUnit {
   bool equality = false;
   Pair h{};
   Pair square{};        ///< |g|^2; of the largest row for rows of zeros
+  Pair compliance{};    ///< |g|^2, of strong friction times mu: that of the force along an edge
   Pair per_velocity{};  ///< slack times this is relative to the largest velocity
   Pair norm{};          ///< multiplier times this is a force
 };

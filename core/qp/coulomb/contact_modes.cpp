@@ -28,14 +28,18 @@ void ContactPoint::recompute(const ContactForm& form) {
   }
 }
 
-bool ModeSystem::factorise(ContactForm& form, const std::vector<ContactMode>& modes, double delta) {
-  modes_ = &modes;
+bool ModeSystem::factorise(ContactForm& form,
+                           const std::vector<ContactMode>& modes,
+                           double delta,
+                           Pivoting pivoting) {
+  pivoting_ = pivoting;
+  if (pivoting == Pivoting::full) return pivoted_.factorise(form, modes, delta);
   weight_.resize(modes.size());
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
     ContactForm::Weight w;
-    if (modes[i] != ContactMode::open) w.nn = 1.0 / (delta * unit.square.n);
-    if (modes[i] == ContactMode::stick) w.tt = 1.0 / (delta * unit.square.t);
+    if (modes[i] != ContactMode::open) w.nn = 1.0 / (delta * unit.compliance.n);
+    if (modes[i] == ContactMode::stick) w.tt = 1.0 / (delta * unit.compliance.t);
     w.tn = -slip_sign(modes[i]) * unit.mu * w.nn;
     weight_[i] = w;
   }
@@ -59,6 +63,11 @@ void ModeSystem::solve(const ContactForm& form,
   dl_.resize(r.size());
   Gdy_.resize(r.size());
   dy_.assign(u.size(), Quad{});
+  if (pivoting_ == Pivoting::full) {
+    pivoted_.solve(form, r, u, dy_, dl_);
+    form.apply(dy_.data(), Gdy_.data());
+    return;
+  }
   u_.resize(u.size());
   for (int i = 0; i < form.count(); ++i) {
     const ContactForm::Weight& w = weight_[i];

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/qp/coulomb/contact_form.h"
+#include "core/qp/coulomb/pivoted_modes.h"
 
 namespace wuerfel {
 
@@ -38,10 +39,15 @@ struct ContactPoint {
   void recompute(const ContactForm& form);
 };
 
+enum class Pivoting { none, full };
+
 class ModeSystem {
  public:
   /// K of these modes; false where it is singular.
-  bool factorise(ContactForm& form, const std::vector<ContactMode>& modes, double delta);
+  bool factorise(ContactForm& form,
+                 const std::vector<ContactMode>& modes,
+                 double delta,
+                 Pivoting pivoting);
   /// Solves  g dy + d dl = r  for the rows in force and  dy - G' dl = u,  refined. `r` of rows not
   /// in force is not looked at.
   void solve(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
@@ -52,7 +58,8 @@ class ModeSystem {
  private:
   void find_forces(const ContactForm& form, const std::vector<Pair>& r);
 
-  const std::vector<ContactMode>* modes_ = nullptr;
+  PivotedModes pivoted_;
+  Pivoting pivoting_ = Pivoting::none;
   std::vector<ContactForm::Weight> weight_;
   std::vector<Pair> dl_, Gdy_;
   std::vector<Quad> dy_, u_;

@@ -13,10 +13,12 @@ namespace wuerfel {
 namespace {
 
 constexpr double usual_delta = 1e-8;
+constexpr double pivoted_delta = 1e-11;
 constexpr double least_path_delta = 1e-12;
 constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without pivoting
 constexpr double convex_tolerance = 1e-12;
 constexpr int lemke_seeds = 3;
+constexpr int most_pivoted = 300;  ///< contacts of programs that are followed with pivoting
 constexpr int interior_seeds = 4;
 constexpr int crossings_per_contact = 30;
 constexpr int most_proximal_steps = 8;
@@ -99,6 +101,7 @@ struct CoulombSolver::Work {
     int rows = 0;
   } memory;
   bool recalled = false;
+  Pivoting pivoting = Pivoting::none;  ///< of paths
 };
 
 CoulombSolver::CoulombSolver(const CoulombSettings& settings)
@@ -140,6 +143,7 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
                                std::span<const std::uint64_t> keys,
                                CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
+  pivoting = Pivoting::none;
   if (certificate(friction, result) || newton(friction, result)) return true;
   if (any_slides(friction)) {
     recall(keys);
@@ -151,8 +155,10 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
   for (int k = 1; k < interior_seeds; ++k)
     if (interior(friction, 0.5 + 0.5 * k, seed + k, result)) return true;
   if (follow(friction, false, seed, path_delta, result)) return true;
-  for (int k = 1; k <= lemke_seeds; ++k)
-    if (follow(friction, true, seed + 7919U * k, path_delta, result)) return true;
+  if (follow(friction, true, seed, path_delta, result)) return true;
+  pivoting = Pivoting::full;
+  for (int k = 1; k <= lemke_seeds && form.count() <= most_pivoted; ++k)
+    if (follow(friction, true, seed + 7919U * k, usual_delta, result)) return true;
   return false;
 }
 
@@ -301,6 +307,7 @@ bool CoulombSolver::Work::follow(const FrictionProgram& friction,
                                  CoulombResult& result) {
   const CoulombStage stage = from_open ? CoulombStage::lemke : CoulombStage::path;
   ModePathEffort effort{.delta = delta,
+                        .pivoting = pivoting,
                         .most_crossings = 100 + crossings_per_contact * form.count()};
   std::vector<Pair> centre(point.l.size(), Pair{});
   for (int k = 0; k < most_proximal_steps; ++k) {
@@ -324,12 +331,15 @@ bool CoulombSolver::Work::settle(const FrictionProgram& friction,
                                  CoulombResult& result) {
   const std::vector<ContactMode> kept_modes = modes;
   const ContactPoint kept_point = point;
-  const ModeNewtonOutcome outcome =
-      mode_newton.run(form, modes, point, {.delta = delta, .most_factorisations = 4});
-  result.factorisations += outcome.factorisations;
-  if (judge_point(friction, stage, result)) return true;
-  modes = kept_modes;
-  point = kept_point;
+  for (const Pivoting how : {Pivoting::none, Pivoting::full}) {
+    const double compliance = how == Pivoting::none ? delta : pivoted_delta;
+    const ModeNewtonOutcome outcome = mode_newton.run(
+        form, modes, point, {.delta = compliance, .pivoting = how, .most_factorisations = 4});
+    result.factorisations += outcome.factorisations;
+    if (judge_point(friction, stage, result)) return true;
+    modes = kept_modes;
+    point = kept_point;
+  }
   return false;
 }
 

@@ -96,7 +96,7 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
     for (int i = 0; i < form.count(); ++i)
       follow_mode(form.units()[i], modes[i], point.l[i]);
     ++outcome.factorisations;
-    if (!system_.factorise(form, modes, effort.delta)) return outcome;
+    if (!system_.factorise(form, modes, effort.delta, effort.pivoting)) return outcome;
     bool same = true;
     for (int pass = 0; same && pass < most_passes; ++pass) {
       const double missed = step(form, modes, point);

@@ -65,9 +65,8 @@ ModePathOutcome ModePath::run_from_open(ContactForm& form,
     if (unit.tangent >= 0) r_[i].t = 1e-3 * (dice.next() - 0.5) / unit.per_velocity.t;
   }
   // Rods first, then as far away as it takes to open everything.
-  ModeSystem& system = system_;
   unbalance_.assign(point.y.size(), Quad{});
-  if (!system.factorise(form, modes, delta_)) return {};
+  if (!system_.factorise(form, modes, delta_, effort.pivoting)) return {};
   correct(form, modes, point);
   for (int i = 0; i < form.count(); ++i) {
     if (modes[i] != ContactMode::open) continue;
@@ -80,15 +79,15 @@ ModePathOutcome ModePath::run_from_open(ContactForm& form,
 Pair ModePath::slack(const ContactForm& form, const ContactPoint& point, int i) const {
   const ContactUnit& unit = form.units()[i];
   const Pair& l = point.l[i];
-  return {-point.rest[i].n + delta_ * unit.square.n * (l.n - centre_[i].n),
-          -point.rest[i].t + delta_ * unit.square.t * (l.t - centre_[i].t)};
+  return {-point.rest[i].n + delta_ * unit.compliance.n * (l.n - centre_[i].n),
+          -point.rest[i].t + delta_ * unit.compliance.t * (l.t - centre_[i].t)};
 }
 
 /// Its rate while t falls by one.
 Pair ModePath::slack_rate(const ContactForm& form, int i) const {
   const ContactUnit& unit = form.units()[i];
-  return {system_.Gdy()[i].n + delta_ * unit.square.n * system_.dl()[i].n + r_[i].n,
-          system_.Gdy()[i].t + delta_ * unit.square.t * system_.dl()[i].t + r_[i].t};
+  return {system_.Gdy()[i].n + delta_ * unit.compliance.n * system_.dl()[i].n + r_[i].n,
+          system_.Gdy()[i].t + delta_ * unit.compliance.t * system_.dl()[i].t + r_[i].t};
 }
 
 /// Takes away what rounding left between the point and the path.
@@ -195,7 +194,7 @@ ModePathOutcome ModePath::follow(ContactForm& form,
   Crossing crossing;
   ContactMode from = ContactMode::open;
   while (true) {
-    if (!system_.factorise(form, modes, delta_)) return outcome;
+    if (!system_.factorise(form, modes, delta_, effort.pivoting)) return outcome;
     correct(form, modes, point);
     find_tangent(form, point);
     if (crossing.unit >= 0)

@@ -20,6 +20,7 @@ namespace wuerfel {
 
 struct ModePathEffort {
   double delta = 1e-8;
+  Pivoting pivoting = Pivoting::none;
   int most_crossings = 1000;
 };
 

@@ -1,6 +1,7 @@
 #include "core/qp/coulomb/restitution.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace wuerfel {
 namespace {
@@ -25,6 +26,8 @@ void impact_with_restitution(CoulombSolver& solver,
                              std::span<const std::uint64_t> keys) {
   QuadraticProgram program = friction.program;
   const double before = energy(program, program.target);
+  CoulombResult found;
+  // The solution is kept: asked again it could be another one.
   const auto allowed = [&](int step) {
     const double factor = static_cast<double>(step) / steps;
     for (std::size_t i = 0; i < friction.contacts.size(); ++i) {
@@ -32,10 +35,14 @@ void impact_with_restitution(CoulombSolver& solver,
       const double bounce = restitution[i] * std::max(-normal_velocity[i], 0.0);
       program.bound[row] = friction.program.bound[row] + factor * bounce;
     }
-    solver.solve({program, friction.contacts}, result.solution, keys);
-    result.factor = factor;
-    return result.solution.status == QpStatus::optimal
-           && energy(program, result.solution.x) <= before * (1.0 + energy_noise);
+    solver.solve({program, friction.contacts}, found, keys);
+    const bool passed = found.status == QpStatus::optimal
+                        && energy(program, found.x) <= before * (1.0 + energy_noise);
+    if (passed || step == 0) {
+      std::swap(result.solution, found);
+      result.factor = factor;
+    }
+    return passed;
   };
   if (allowed(steps)) return;
   int low = 0;
@@ -44,7 +51,7 @@ void impact_with_restitution(CoulombSolver& solver,
     const int middle = low + (high - low) / 2;
     (allowed(middle) ? low : high) = middle;
   }
-  if (low != 0 || result.factor != 0.0) (void)allowed(low);
+  if (low == 0) (void)allowed(0);
 }
 
 }  // namespace wuerfel
