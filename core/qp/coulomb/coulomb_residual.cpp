@@ -12,23 +12,6 @@ double relative(double v, double scale) {
   return scale > 0.0 ? std::abs(v) / scale : unbounded;
 }
 
-/// sqrt(M_first / M) of a coordinate: what makes it one of the first of its block.
-double unit_of(const QuadraticProgram& p, int coordinate) {
-  return std::sqrt(p.mass[coordinate - coordinate % p.block_size] / p.mass[coordinate]);
-}
-
-double norm_of(const QuadraticProgram& p, int row) {
-  double square = 0.0;
-  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-    const int first = p.entry_block[e] * p.block_size;
-    for (int c = 0; c < p.block_size; ++c) {
-      const double J = p.coefficients[e * p.block_size + c];
-      square += J * J * (p.mass[first] / p.mass[first + c]);
-    }
-  }
-  return std::sqrt(square);
-}
-
 bool all_numbers(const std::vector<double>& values) {
   double nothing = 0.0;
   for (const double v : values)
@@ -48,11 +31,31 @@ double complementarity(const Relative& r) { return std::abs(std::min(r.force, r.
 
 double CoulombResidual::worst() const { return std::max({stationarity, rows, normal, cone, slip}); }
 
+void CoulombJudge::find_units(const QuadraticProgram& p) {
+  if (mass_ == p.mass) return;
+  mass_ = p.mass;
+  unit_.resize(mass_.size());
+  for (int j = 0; j < p.unknowns(); ++j)
+    unit_[j] = std::sqrt(mass_[j - j % p.block_size] / mass_[j]);
+}
+
+double CoulombJudge::norm_of(const QuadraticProgram& p, int row) const {
+  double square = 0.0;
+  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
+    const double* unit = unit_.data() + p.entry_block[e] * p.block_size;
+    const double* J = p.coefficients.data() + e * p.block_size;
+    for (int c = 0; c < p.block_size; ++c)
+      square += J[c] * J[c] * (unit[c] * unit[c]);
+  }
+  return std::sqrt(square);
+}
+
 const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
+  find_units(p);
   scales_.velocity = scales_.weight = 0.0;
   for (int j = 0; j < p.unknowns(); ++j) {
-    scales_.velocity = std::max(scales_.velocity, std::abs(p.target[j]) / unit_of(p, j));
-    scales_.weight = std::max(scales_.weight, std::abs(p.target[j] * p.mass[j]) * unit_of(p, j));
+    scales_.velocity = std::max(scales_.velocity, std::abs(p.target[j]) / unit_[j]);
+    scales_.weight = std::max(scales_.weight, std::abs(p.target[j] * p.mass[j]) * unit_[j]);
   }
   double largest = 0.0;
   scales_.row_norm.resize(p.bound.size());
@@ -85,10 +88,10 @@ CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
     largest = std::max(largest, std::abs(multiplier[i]) * norm[i]);
     for (int e = p.row_start[i]; e < p.row_start[i + 1]; ++e) {
       const int first = p.entry_block[e] * p.block_size;
+      const double* J = p.coefficients.data() + e * p.block_size;
       for (int c = 0; c < p.block_size; ++c) {
-        const double J = p.coefficients[e * p.block_size + c];
-        slack_[i] += J * x[first + c];
-        force_[first + c] -= J * multiplier[i];
+        slack_[i] += J[c] * x[first + c];
+        force_[first + c] -= J[c] * multiplier[i];
       }
     }
   }
@@ -96,7 +99,7 @@ CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
   const auto speed = [&](double u, int row) { return relative(u / norm[row], scales_.velocity); };
   for (int j = 0; j < p.unknowns(); ++j) {
     residual.stationarity =
-        std::max(residual.stationarity, relative(force_[j] * unit_of(p, j), largest));
+        std::max(residual.stationarity, relative(force_[j] * unit_[j], largest));
   }
   of_contact_.assign(p.bound.size(), 0);
   for (const FrictionContact& c : friction.contacts) {

@@ -38,7 +38,12 @@ class CoulombJudge {
                           const std::vector<double>& multiplier);
 
  private:
+  void find_units(const QuadraticProgram& program);
+  [[nodiscard]] double norm_of(const QuadraticProgram& program, int row) const;
+
   CoulombScales scales_;
+  std::vector<double> mass_;   ///< that the units are of
+  std::vector<double> unit_;   ///< sqrt(M_first / M) of a coordinate: makes it one of the first
   std::vector<double> force_;  ///< M (x - f) - J' lambda
   std::vector<double> slack_;  ///< J x - b
   std::vector<char> of_contact_;

@@ -19,14 +19,27 @@ constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without p
 constexpr double convex_tolerance = 1e-12;
 constexpr int lemke_seeds = 3;
 constexpr int most_pivoted = 300;  ///< contacts of programs that are followed with pivoting
-constexpr int interior_seeds = 4;
-constexpr int crossings_per_contact = 30;
+constexpr int interior_seeds = 8;
+constexpr int crossings_per_contact = 12;
 constexpr int most_proximal_steps = 8;
 constexpr double jamming_force = 1e6;  ///< in weights
 
 bool any_slides(const FrictionProgram& friction) {
   return std::any_of(friction.contacts.begin(), friction.contacts.end(),
                      [](const FrictionContact& c) { return c.slides != 0 && c.mu > 0.0; });
+}
+
+/// Whether x = 0 satisfies all rows, so that a solution exists. [Anitescu, Potra 1997]
+bool may_stand(const FrictionProgram& friction) {
+  const QuadraticProgram& p = friction.program;
+  std::vector<char> tangential(p.bound.size(), 0);
+  for (const FrictionContact& c : friction.contacts)
+    if (c.tangent >= 0) tangential[c.tangent] = 1;
+  for (int row = 0; row < p.rows(); ++row) {
+    const bool exactly = tangential[row] != 0 || p.is_equality(row);
+    if (exactly ? p.bound[row] != 0.0 : p.bound[row] > 0.0) return false;
+  }
+  return !any_slides(friction);
 }
 
 }  // namespace
@@ -59,6 +72,7 @@ struct CoulombSolver::Work {
             CoulombResult& result);
   [[nodiscard]] bool jams(const FrictionProgram& friction, const CoulombResult& result) const;
   bool certificate(const FrictionProgram& friction, CoulombResult& result);
+  [[nodiscard]] bool rows_hold() const;
   void recall(std::span<const std::uint64_t> keys);
   void remember(std::span<const std::uint64_t> keys);
   bool newton(const FrictionProgram& friction, CoulombResult& result);
@@ -101,6 +115,7 @@ struct CoulombSolver::Work {
     int rows = 0;
   } memory;
   bool recalled = false;
+  bool ended_on_ray = false;           ///< the last path
   Pivoting pivoting = Pivoting::none;  ///< of paths
 };
 
@@ -156,6 +171,7 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
     if (interior(friction, 0.5 + 0.5 * k, seed + k, result)) return true;
   if (follow(friction, false, seed, path_delta, result)) return true;
   if (follow(friction, true, seed, path_delta, result)) return true;
+  if (ended_on_ray && !may_stand(friction)) return false;
   pivoting = Pivoting::full;
   for (int k = 1; k <= lemke_seeds && form.count() <= most_pivoted; ++k)
     if (follow(friction, true, seed + 7919U * k, usual_delta, result)) return true;
@@ -223,10 +239,19 @@ void CoulombSolver::Work::remember(std::span<const std::uint64_t> keys) {
   }
 }
 
+/// A quick look before the judge's: whether rows in force are where they should be.
+bool CoulombSolver::Work::rows_hold() const {
+  for (int i = 0; i < form.count(); ++i) {
+    const double missed = std::abs(point.rest[i].n) * form.units()[i].per_velocity.n;
+    if (modes[i] != ContactMode::open && missed > settings.tolerance) return false;
+  }
+  return true;
+}
+
 bool CoulombSolver::Work::certificate(const FrictionProgram& friction, CoulombResult& result) {
   if (!recalled) return false;
   point.recompute(form);
-  const bool passed = judge_point(friction, CoulombStage::certificate, result);
+  const bool passed = rows_hold() && judge_point(friction, CoulombStage::certificate, result);
   if (!passed) point.reset(form);
   return passed;
 }
@@ -316,6 +341,7 @@ bool CoulombSolver::Work::follow(const FrictionProgram& friction,
                             : mode_path.run(form, modes, point, centre, seed + k, effort);
     effort.delta = std::max(0.01 * effort.delta, least_path_delta);
     result.crossings += outcome.crossings;
+    ended_on_ray = outcome.ray;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
     if (settle(friction, stage, usual_delta, result)) return true;

@@ -14,7 +14,7 @@ namespace wuerfel {
 struct ModeNewtonEffort {
   double delta = 1e-8;
   Pivoting pivoting = Pivoting::none;
-  double goal = 1e-13;  ///< what rows in force may miss, relative to the largest velocity
+  double goal = 1e-12;  ///< what rows in force may miss, relative to the largest velocity
   int most_factorisations = 8;
 };
 

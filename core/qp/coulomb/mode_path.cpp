@@ -206,7 +206,8 @@ ModePathOutcome ModePath::follow(ContactForm& form,
       outcome.arrived = true;
       return outcome;
     }
-    if (crossing.unit < 0 || outcome.crossings == effort.most_crossings) return outcome;
+    outcome.ray = crossing.unit < 0;
+    if (outcome.ray || outcome.crossings == effort.most_crossings) return outcome;
     ++outcome.crossings;
     move(form, direction * crossing.step, point);
     t_ -= direction * crossing.step;

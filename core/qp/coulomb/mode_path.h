@@ -26,6 +26,7 @@ struct ModePathEffort {
 
 struct ModePathOutcome {
   bool arrived = false;
+  bool ray = false;  ///< the path goes on for ever
   int crossings = 0;
 };
 
