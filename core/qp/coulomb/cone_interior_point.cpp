@@ -10,6 +10,8 @@ namespace {
 
 constexpr double boundary_share = 0.995;
 constexpr int most_refinements = 3;
+constexpr double short_step = 0.1;   ///< below it the corrector is given up
+constexpr double stuck_step = 0.02;  ///< four of these in a row end it
 constexpr int most_stuck_steps = 4;
 
 double square(const std::vector<Quad>& v) {
@@ -229,6 +231,31 @@ void ConeInteriorPoint::round_off(const ContactForm& form,
   }
 }
 
+/// Predictor and corrector; beyond a fold, where det K < 0, tau has to grow.
+void ConeInteriorPoint::choose_direction(const ContactForm& form) {
+  const double tau = mean_product(0.0);
+  const auto forget_corrector = [&] {
+    for (Pairs& p : pairs_)
+      std::fill(p.extra, p.extra + 3, 0.0);
+  };
+  forget_corrector();
+  if (form.sign() < 0) {
+    find_direction(form, 2.0 * tau);
+    return;
+  }
+  find_direction(form, 0.0);
+  const double affine = std::min(1.0, boundary_share * longest_step());
+  const double ratio = tau > 0.0 ? mean_product(affine) / tau : 0.0;
+  for (Pairs& p : pairs_) {
+    for (int k = 0; k < p.count; ++k)
+      p.extra[k] = p.d_force[k] * p.d_slack[k];
+  }
+  find_direction(form, std::clamp(ratio * ratio * ratio, 0.0, 1.0) * tau);
+  if (boundary_share * longest_step() >= short_step) return;
+  forget_corrector();
+  find_direction(form, 0.9 * tau);
+}
+
 ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
                                            double weight,
                                            const ConeInteriorEffort& effort,
@@ -236,31 +263,11 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
   ConeInteriorOutcome outcome;
   start(form, effort);
   int stuck = 0;
-  while (outcome.factorisations < effort.most_factorisations) {
-    const double tau = mean_product(0.0);
+  while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps) {
     set_weights(form, effort.delta);
     ++outcome.factorisations;
     if (!form.factorise(weight_)) break;
-    for (Pairs& p : pairs_)
-      std::fill(p.extra, p.extra + 3, 0.0);
-    if (form.sign() < 0) {
-      find_direction(form, 2.0 * tau);
-    } else {
-      find_direction(form, 0.0);
-      const double affine = std::min(1.0, boundary_share * longest_step());
-      const double ratio = tau > 0.0 ? mean_product(affine) / tau : 0.0;
-      const double centring = std::clamp(ratio * ratio * ratio, 0.0, 1.0);
-      for (Pairs& p : pairs_) {
-        for (int k = 0; k < p.count; ++k)
-          p.extra[k] = p.d_force[k] * p.d_slack[k];
-      }
-      find_direction(form, centring * tau);
-      if (boundary_share * longest_step() < 0.1) {
-        for (Pairs& p : pairs_)
-          std::fill(p.extra, p.extra + 3, 0.0);
-        find_direction(form, 0.9 * tau);
-      }
-    }
+    choose_direction(form);
     const double step = std::min(1.0, boundary_share * longest_step());
     move(form, step);
     const double worst = worst_pair(form, weight);
@@ -269,8 +276,7 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
       round_off(form, weight, point);
     }
     if (worst <= effort.goal || worst == unbounded) break;
-    stuck = step < 0.02 ? stuck + 1 : 0;
-    if (stuck == most_stuck_steps) break;
+    stuck = step < stuck_step ? stuck + 1 : 0;
   }
   return outcome;
 }

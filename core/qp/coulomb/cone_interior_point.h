@@ -59,6 +59,7 @@ class ConeInteriorPoint {
   [[nodiscard]] double mean_product(double step) const;
   void set_weights(const ContactForm& form, double delta);
   void find_direction(const ContactForm& form, double tau);
+  void choose_direction(const ContactForm& form);
   void find_forces(const ContactForm& form);
   [[nodiscard]] double longest_step() const;
   void move(const ContactForm& form, double step);

@@ -9,7 +9,7 @@ namespace {
 /// v / scale, where a scale of 0 allows nothing but 0.
 double relative(double v, double scale) {
   if (v == 0.0) return 0.0;
-  return scale > 0.0 ? std::abs(v) / scale : unbounded;
+  return scale > 0.0 ? v / scale : std::copysign(unbounded, v);
 }
 
 bool all_numbers(const std::vector<double>& values) {
@@ -19,15 +19,12 @@ bool all_numbers(const std::vector<double>& values) {
   return nothing == 0.0;
 }
 
-/// Of one contact or row, all relative to the scales.
-struct Relative {
-  double force, velocity;
-};
+}  // namespace
 
 /// |min(lambda, u)| for lambda >= 0, u >= 0.
-double complementarity(const Relative& r) { return std::abs(std::min(r.force, r.velocity)); }
-
-}  // namespace
+double CoulombJudge::complementarity(const Relative& r) {
+  return std::abs(std::min(r.force, r.velocity));
+}
 
 double CoulombResidual::worst() const { return std::max({stationarity, rows, normal, cone, slip}); }
 
@@ -68,24 +65,18 @@ const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
   return scales_;
 }
 
-CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
-                                      const std::vector<double>& x,
-                                      const std::vector<double>& multiplier) {
-  const QuadraticProgram& p = friction.program;
-  const std::vector<double>& norm = scales_.row_norm;
-  CoulombResidual residual;
-  if (!all_numbers(x) || !all_numbers(multiplier)) {
-    residual.stationarity = unbounded;
-    return residual;
-  }
+/// Slacks and forces out of balance; returns the largest force at hand.
+double CoulombJudge::apply_rows(const QuadraticProgram& p,
+                                const std::vector<double>& x,
+                                const std::vector<double>& multiplier) {
   force_.resize(x.size());
   slack_.resize(p.bound.size());
   for (int j = 0; j < p.unknowns(); ++j)
     force_[j] = p.mass[j] * (x[j] - p.target[j]);
   double largest = scales_.weight;
   for (int i = 0; i < p.rows(); ++i) {
+    largest = std::max(largest, std::abs(multiplier[i]) * scales_.row_norm[i]);
     slack_[i] = -p.bound[i];
-    largest = std::max(largest, std::abs(multiplier[i]) * norm[i]);
     for (int e = p.row_start[i]; e < p.row_start[i + 1]; ++e) {
       const int first = p.entry_block[e] * p.block_size;
       const double* J = p.coefficients.data() + e * p.block_size;
@@ -95,36 +86,56 @@ CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
       }
     }
   }
-  const auto force = [&](double lambda, int row) { return relative(lambda * norm[row], largest); };
-  const auto speed = [&](double u, int row) { return relative(u / norm[row], scales_.velocity); };
+  return largest;
+}
+
+/// A row's multiplier and slack.
+CoulombJudge::Relative CoulombJudge::relative_row(int row, double multiplier) const {
+  const double norm = scales_.row_norm[row];
+  return {relative(multiplier * norm, largest_force_),
+          relative(slack_[row] / norm, scales_.velocity)};
+}
+
+void CoulombJudge::add_contact(const FrictionContact& c,
+                               const std::vector<double>& multiplier,
+                               CoulombResidual& residual) const {
+  const double ln = multiplier[c.normal];
+  residual.normal = std::max(residual.normal, complementarity(relative_row(c.normal, ln)));
+  if (c.tangent < 0) return;
+  const double lt = multiplier[c.tangent];
+  const double outside = std::max(std::abs(lt) - c.mu * std::max(ln, 0.0), 0.0);
+  residual.cone = std::max(residual.cone, relative_row(c.tangent, outside).force);
+  if (c.mu == 0.0) return;
+  const double direction = c.slides != 0 ? c.slides : std::copysign(1.0, slack_[c.tangent]);
+  const Relative r = relative_row(c.tangent, c.mu * ln + direction * lt);
+  const double excess = std::abs(r.force);
+  residual.slip =
+      std::max(residual.slip, c.slides != 0 ? excess : std::min(std::abs(r.velocity), excess));
+}
+
+CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
+                                      const std::vector<double>& x,
+                                      const std::vector<double>& multiplier) {
+  const QuadraticProgram& p = friction.program;
+  CoulombResidual residual;
+  if (!all_numbers(x) || !all_numbers(multiplier)) {
+    residual.stationarity = unbounded;
+    return residual;
+  }
+  largest_force_ = apply_rows(p, x, multiplier);
   for (int j = 0; j < p.unknowns(); ++j) {
     residual.stationarity =
-        std::max(residual.stationarity, relative(force_[j] * unit_[j], largest));
+        std::max(residual.stationarity, std::abs(relative(force_[j] * unit_[j], largest_force_)));
   }
   of_contact_.assign(p.bound.size(), 0);
   for (const FrictionContact& c : friction.contacts) {
-    const double ln = multiplier[c.normal];
-    const double un = slack_[c.normal];
     of_contact_[c.normal] = 1;
-    const Relative n{std::copysign(force(ln, c.normal), ln),
-                     std::copysign(speed(un, c.normal), un)};
-    residual.normal = std::max(residual.normal, complementarity(n));
-    if (c.tangent < 0) continue;
-    of_contact_[c.tangent] = 1;
-    const double lt = multiplier[c.tangent];
-    const double ut = slack_[c.tangent];
-    const double outside = std::max(std::abs(lt) - c.mu * std::max(ln, 0.0), 0.0);
-    residual.cone = std::max(residual.cone, force(outside, c.tangent));
-    if (c.mu == 0.0) continue;
-    const double direction = c.slides != 0 ? c.slides : std::copysign(1.0, ut);
-    const double excess = force(c.mu * ln + direction * lt, c.tangent);
-    residual.slip =
-        std::max(residual.slip, c.slides != 0 ? excess : std::min(speed(ut, c.tangent), excess));
+    if (c.tangent >= 0) of_contact_[c.tangent] = 1;
+    add_contact(c, multiplier, residual);
   }
   for (int i = 0; i < p.rows(); ++i) {
     if (of_contact_[i] != 0) continue;
-    const Relative r{std::copysign(force(multiplier[i], i), multiplier[i]),
-                     std::copysign(speed(slack_[i], i), slack_[i])};
+    const Relative r = relative_row(i, multiplier[i]);
     residual.rows =
         std::max(residual.rows, p.is_equality(i) ? std::abs(r.velocity) : complementarity(r));
   }

@@ -38,12 +38,25 @@ class CoulombJudge {
                           const std::vector<double>& multiplier);
 
  private:
+  /// Force and velocity of a row, relative to the scales, with their signs.
+  struct Relative {
+    double force, velocity;
+  };
+  static double complementarity(const Relative& r);
+  double apply_rows(const QuadraticProgram& program,
+                    const std::vector<double>& x,
+                    const std::vector<double>& multiplier);
+  [[nodiscard]] Relative relative_row(int row, double multiplier) const;
+  void add_contact(const FrictionContact& contact,
+                   const std::vector<double>& multiplier,
+                   CoulombResidual& residual) const;
   void find_units(const QuadraticProgram& program);
   [[nodiscard]] double norm_of(const QuadraticProgram& program, int row) const;
 
   CoulombScales scales_;
-  std::vector<double> mass_;   ///< that the units are of
-  std::vector<double> unit_;   ///< sqrt(M_first / M) of a coordinate: makes it one of the first
+  std::vector<double> mass_;  ///< that the units are of
+  std::vector<double> unit_;  ///< sqrt(M_first / M) of a coordinate: makes it one of the first
+  double largest_force_ = 0.0;
   std::vector<double> force_;  ///< M (x - f) - J' lambda
   std::vector<double> slack_;  ///< J x - b
   std::vector<char> of_contact_;
