@@ -14,6 +14,7 @@ constexpr double convex_tolerance = 1e-12;
 constexpr double worth_settling = 1e-4;           ///< of an interior point
 constexpr int most_settled_with_pivoting = 1000;  ///< units
 constexpr int crossings_per_contact = 12;
+constexpr int most_crossings = 3000;
 constexpr int most_proximal_steps = 8;
 constexpr double jamming_force = 1e6;  ///< in weights
 
@@ -130,9 +131,10 @@ bool CoulombStages::follow(const FrictionProgram& friction,
                            Pivoting pivoting,
                            CoulombResult& result) {
   const CoulombStage stage = start == PathStart::open ? CoulombStage::lemke : CoulombStage::path;
-  ModePathEffort effort{.delta = pivoting == Pivoting::none ? path_delta : usual_delta,
-                        .pivoting = pivoting,
-                        .most_crossings = 100 + crossings_per_contact * form_.count()};
+  ModePathEffort effort{
+      .delta = pivoting == Pivoting::none ? path_delta : usual_delta,
+      .pivoting = pivoting,
+      .most_crossings = std::min(100 + crossings_per_contact * form_.count(), most_crossings)};
   std::vector<Pair> centre(point.l.size(), Pair{});
   for (int k = 0; k < most_proximal_steps; ++k) {
     const ModePathOutcome outcome =
