@@ -1,0 +1,217 @@
+#include "core/qp/coulomb/block_lu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/qp/elimination_order.h"
+
+namespace wuerfel {
+namespace {
+
+/// C -= A B', blocks of three columns.
+inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 4; ++r) {
+      C[c].v[r] -= (A[0].v[r] * B[0].v[c] + A[1].v[r] * B[1].v[c]) + A[2].v[r] * B[2].v[c];
+    }
+  }
+}
+
+/// Inverse of a 3x3 block by Gauss-Jordan with pivoting; returns the sign of its determinant, 0
+/// where it has none.
+int invert(const Quad* A, Quad* X) {
+  double a[3][6];
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      a[r][c] = A[c].v[r];
+      a[r][c + 3] = r == c ? 1.0 : 0.0;
+    }
+  }
+  int sign = 1;
+  for (int k = 0; k < 3; ++k) {
+    int best = k;
+    for (int r = k + 1; r < 3; ++r)
+      if (std::abs(a[r][k]) > std::abs(a[best][k])) best = r;
+    if (!(std::abs(a[best][k]) > 0.0)) return 0;
+    if (best != k) {
+      sign = -sign;
+      for (int c = 0; c < 6; ++c)
+        std::swap(a[k][c], a[best][c]);
+    }
+    if (a[k][k] < 0.0) sign = -sign;
+    const double inverse = 1.0 / a[k][k];
+    for (int c = k; c < 6; ++c)
+      a[k][c] *= inverse;
+    for (int r = 0; r < 3; ++r) {
+      if (r == k) continue;
+      const double f = a[r][k];
+      for (int c = k; c < 6; ++c)
+        a[r][c] -= f * a[k][c];
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+    X[c] = Quad{{a[0][c + 3], a[1][c + 3], a[2][c + 3], 0.0}};
+  return sign;
+}
+
+/// C := C X, three columns each.
+inline void multiply(Quad* C, const Quad* X) {
+  Quad P[3];
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 4; ++r) {
+      P[c].v[r] = (C[0].v[r] * X[c].v[0] + C[1].v[r] * X[c].v[1]) + C[2].v[r] * X[c].v[2];
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+    C[c] = P[c];
+}
+
+}  // namespace
+
+void BlockLu::plan(int blocks,
+                   const std::vector<int>& start,
+                   const std::vector<int>& neighbour,
+                   std::vector<int>& order) {
+  blocks_ = blocks;
+  elimination_order(blocks, start, neighbour, order);
+  find_columns(start, neighbour, order);
+  list_rows();
+  lower_.resize(3 * row_.size());
+  upper_.resize(3 * row_.size());
+  inverse_.resize(3 * order.size());
+  place_of_.resize(order.size());
+}
+
+/// Column j holds what K has there and what its children in the elimination tree pass on: all but
+/// themselves.
+void BlockLu::find_columns(const std::vector<int>& start,
+                           const std::vector<int>& neighbour,
+                           const std::vector<int>& order) {
+  position_.resize(order.size());
+  for (int j = 0; j < blocks_; ++j)
+    position_[order[j]] = j;
+  mark_.assign(order.size(), -1);
+  first_child_.assign(order.size(), -1);
+  next_sibling_.assign(order.size(), -1);
+  column_start_.assign(1, 0);
+  row_.clear();
+  for (int j = 0; j < blocks_; ++j) {
+    const auto first = static_cast<std::ptrdiff_t>(row_.size());
+    const auto add = [&](int i) {
+      if (i < j || mark_[i] == j) return;
+      mark_[i] = j;
+      row_.push_back(i);
+    };
+    add(j);
+    for (int e = start[order[j]]; e < start[order[j] + 1]; ++e)
+      add(position_[neighbour[e]]);
+    for (int child = first_child_[j]; child >= 0; child = next_sibling_[child]) {
+      for (int q = column_start_[child] + 1; q < column_start_[child + 1]; ++q)
+        add(row_[q]);
+    }
+    std::sort(row_.begin() + first, row_.end());
+    column_start_.push_back(static_cast<int>(row_.size()));
+    if (static_cast<std::ptrdiff_t>(row_.size()) == first + 1) continue;
+    const int parent = row_[first + 1];
+    next_sibling_[j] = first_child_[parent];
+    first_child_[parent] = j;
+  }
+}
+
+void BlockLu::list_rows() {
+  list_start_.assign(mark_.size() + 1, 0);
+  for (int j = 0; j < blocks_; ++j) {
+    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q)
+      ++list_start_[row_[q] + 1];
+  }
+  for (int j = 0; j < blocks_; ++j)
+    list_start_[j + 1] += list_start_[j];
+  list_column_.resize(list_start_.back());
+  list_place_.resize(list_start_.back());
+  std::copy(list_start_.begin(), list_start_.end() - 1, mark_.begin());
+  for (int j = 0; j < blocks_; ++j) {
+    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q) {
+      const int l = mark_[row_[q]]++;
+      list_column_[l] = j;
+      list_place_[l] = q;
+    }
+  }
+}
+
+int BlockLu::place(int row, int column) const {
+  const auto first = row_.begin() + column_start_[column];
+  const auto last = row_.begin() + column_start_[column + 1];
+  const auto found = std::lower_bound(first, last, row);
+  return found != last && *found == row ? static_cast<int>(found - row_.begin()) : -1;
+}
+
+void BlockLu::set_identity() {
+  std::fill(lower_.begin(), lower_.end(), Quad{});
+  std::fill(upper_.begin(), upper_.end(), Quad{});
+  for (int j = 0; j < blocks_; ++j) {
+    for (int c = 0; c < 3; ++c)
+      lower(column_start_[j])[c].v[c] = 1.0;
+  }
+}
+
+/// Left-looking: column j of L and row j of U, then the 3x3 pivot; L is divided by it.
+[[gnu::target_clones("avx2", "default")]] bool BlockLu::factorise() {
+  sign_ = 1;
+  bool regular = true;
+  for (int j = 0; j < blocks_; ++j) {
+    const int diagonal = column_start_[j];
+    const int end = column_start_[j + 1];
+    for (int q = diagonal; q < end; ++q)
+      place_of_[row_[q]] = q;
+    for (int l = list_start_[j]; l < list_start_[j + 1]; ++l) {
+      const int k = list_column_[l];
+      const int place = list_place_[l];
+      const Quad* L_jk = lower_.data() + 3 * place;
+      const Quad* U_kj = upper_.data() + 3 * place;
+      subtract_product(L_jk, U_kj, lower_.data() + 3 * diagonal);
+      for (int q = place + 1; q < column_start_[k + 1]; ++q) {
+        const int to = 3 * place_of_[row_[q]];
+        subtract_product(lower_.data() + 3 * q, U_kj, lower_.data() + to);
+        subtract_product(upper_.data() + 3 * q, L_jk, upper_.data() + to);
+      }
+    }
+    Quad* X = inverse_.data() + 3 * j;
+    const int sign = invert(lower_.data() + 3 * diagonal, X);
+    sign_ *= sign;
+    if (sign == 0) {
+      regular = false;
+      for (int c = 0; c < 3; ++c)
+        X[c] = Quad{};
+    }
+    for (int q = diagonal + 1; q < end; ++q)
+      multiply(lower_.data() + 3 * q, X);
+  }
+  return regular;
+}
+
+[[gnu::target_clones("avx2", "default")]] void BlockLu::solve(Quad* v) const {
+  for (int j = 0; j < blocks_; ++j) {
+    const Quad z = v[j];
+    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q) {
+      const Quad* L = lower_.data() + 3 * q;
+      double* t = v[row_[q]].v;
+      for (int r = 0; r < 4; ++r)
+        t[r] -= (L[0].v[r] * z.v[0] + L[1].v[r] * z.v[1]) + L[2].v[r] * z.v[2];
+    }
+  }
+  for (int j = blocks_ - 1; j >= 0; --j) {
+    double z[3] = {v[j].v[0], v[j].v[1], v[j].v[2]};
+    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q) {
+      const Quad* U = upper_.data() + 3 * q;
+      const double* x = v[row_[q]].v;
+      for (int c = 0; c < 3; ++c)
+        z[c] -= (U[c].v[0] * x[0] + U[c].v[1] * x[1]) + U[c].v[2] * x[2];
+    }
+    const Quad* X = inverse_.data() + 3 * j;
+    for (int r = 0; r < 4; ++r)
+      v[j].v[r] = (X[0].v[r] * z[0] + X[1].v[r] * z[1]) + X[2].v[r] * z[2];
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,243 @@
+#include "core/qp/coulomb/contact_form.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// K_ba += b a', columns of three
+inline void add_outer(const Quad& b, const double* a, Quad* K) {
+  for (int c = 0; c < 3; ++c) {
+    for (int r = 0; r < 4; ++r)
+      K[c].v[r] += b.v[r] * a[c];
+  }
+}
+
+inline double dot(const Quad& a, const Quad& b) {
+  return (a.v[0] * b.v[0] + a.v[1] * b.v[1]) + a.v[2] * b.v[2];
+}
+
+inline Quad combine(double f, const Quad& a, double g, const Quad& b) {
+  return {{f * a.v[0] + g * b.v[0], f * a.v[1] + g * b.v[1], f * a.v[2] + g * b.v[2], 0.0}};
+}
+
+}  // namespace
+
+void ContactForm::prepare(const FrictionProgram& friction, const CoulombScales& scales) {
+  blocks_ = friction.program.blocks();
+  rows_ = friction.program.rows();
+  gather(friction);
+  if (couplings_ != graph_) plan();
+  scale(friction, scales);
+}
+
+/// Units in the order of their normal rows' contacts, then the rows of no contact.
+void ContactForm::gather(const FrictionProgram& friction) {
+  const QuadraticProgram& p = friction.program;
+  units_.clear();
+  of_contact_.assign(p.bound.size(), 0);
+  for (const FrictionContact& c : friction.contacts) {
+    const bool single = c.tangent < 0 || c.mu == 0.0;
+    of_contact_[c.normal] = 1;
+    if (c.tangent >= 0) of_contact_[c.tangent] = 1;
+    units_.push_back({.normal = c.normal,
+                      .tangent = single ? -1 : c.tangent,
+                      .mu = single ? 0.0 : c.mu,
+                      .slides = single ? 0 : c.slides});
+  }
+  for (int row = 0; row < p.rows(); ++row) {
+    if (of_contact_[row] == 0) units_.push_back({.normal = row, .equality = p.is_equality(row)});
+  }
+  couplings_.assign(1, blocks_);
+  for (ContactUnit& unit : units_) {
+    unit.first = static_cast<int>(couplings_.size());
+    const auto add = [&](int row) {
+      for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
+        const auto begin = couplings_.begin() + unit.first;
+        if (std::find(begin, couplings_.end(), p.entry_block[e]) == couplings_.end())
+          couplings_.push_back(p.entry_block[e]);
+      }
+    };
+    add(unit.normal);
+    if (unit.tangent >= 0) add(unit.tangent);
+    unit.last = static_cast<int>(couplings_.size());
+    couplings_.push_back(-1);
+  }
+}
+
+void ContactForm::plan() {
+  graph_ = couplings_;
+  std::vector<int> start;
+  std::vector<int> neighbour;
+  find_graph(start, neighbour);
+  order_.clear();
+  lu_.plan(blocks_, start, neighbour, order_);
+  position_.resize(order_.size());
+  for (int number = 0; number < blocks_; ++number)
+    position_[order_[number]] = number;
+  block_.assign(couplings_.size(), -1);
+  for (const ContactUnit& unit : units_) {
+    for (int e = unit.first; e < unit.last; ++e)
+      block_[e] = position_[couplings_[e]];
+    std::sort(block_.begin() + unit.first, block_.begin() + unit.last);
+  }
+  place_pairs();
+}
+
+void ContactForm::find_graph(std::vector<int>& start, std::vector<int>& neighbour) const {
+  std::vector<std::vector<int>> near(blocks_);
+  for (const ContactUnit& unit : units_) {
+    for (int a = unit.first; a < unit.last; ++a) {
+      for (int b = unit.first; b < unit.last; ++b)
+        if (a != b) near[couplings_[a]].push_back(couplings_[b]);
+    }
+  }
+  start.assign(1, 0);
+  neighbour.clear();
+  for (std::vector<int>& of_block : near) {
+    std::sort(of_block.begin(), of_block.end());
+    of_block.erase(std::unique(of_block.begin(), of_block.end()), of_block.end());
+    neighbour.insert(neighbour.end(), of_block.begin(), of_block.end());
+    start.push_back(static_cast<int>(neighbour.size()));
+  }
+}
+
+void ContactForm::place_pairs() {
+  pair_.clear();
+  for (const ContactUnit& unit : units_) {
+    for (int a = unit.first; a < unit.last; ++a) {
+      for (int b = a; b < unit.last; ++b)
+        pair_.push_back(lu_.place(block_[b], block_[a]));
+    }
+  }
+}
+
+void ContactForm::scale(const FrictionProgram& friction, const CoulombScales& scales) {
+  const QuadraticProgram& p = friction.program;
+  root_.assign(order_.size(), Quad{});
+  for (int number = 0; number < blocks_; ++number) {
+    for (int c = 0; c < p.block_size; ++c)
+      root_[number].v[c] = 1.0 / std::sqrt(p.mass[order_[number] * p.block_size + c]);
+  }
+  entry_.assign(block_.size(), ContactEntry{});
+  double largest = 0.0;
+  const double per_velocity = scales.velocity > 0.0 ? 1.0 / scales.velocity : 1.0;
+  for (ContactUnit& unit : units_) {
+    scale_row(p, unit.normal, false, unit);
+    unit.norm.n = scales.row_norm[unit.normal];
+    unit.per_velocity.n = per_velocity / unit.norm.n;
+    if (unit.tangent >= 0) {
+      scale_row(p, unit.tangent, true, unit);
+      unit.norm.t = scales.row_norm[unit.tangent];
+      unit.per_velocity.t = per_velocity / unit.norm.t;
+    }
+    largest = std::max({largest, unit.square.n, unit.square.t});
+  }
+  if (largest == 0.0) largest = 1.0;
+  for (ContactUnit& unit : units_) {
+    if (unit.square.n == 0.0) unit.square.n = largest;
+    if (unit.square.t == 0.0) unit.square.t = largest;
+    unit.compliance = {unit.square.n * std::max(1.0, unit.mu), unit.square.t};
+  }
+}
+
+void ContactForm::scale_row(const QuadraticProgram& p,
+                            int row,
+                            bool tangential,
+                            ContactUnit& unit) {
+  double shift = 0.0;
+  double square = 0.0;
+  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
+    const int number = position_[p.entry_block[e]];
+    int k = unit.first;
+    while (block_[k] != number)
+      ++k;
+    Quad& g = tangential ? entry_[k].t : entry_[k].n;
+    for (int c = 0; c < p.block_size; ++c) {
+      const double J = p.coefficients[e * p.block_size + c];
+      shift += J * p.target[p.entry_block[e] * p.block_size + c];
+      g.v[c] = J * root_[number].v[c];
+      square += g.v[c] * g.v[c];
+    }
+  }
+  (tangential ? unit.h.t : unit.h.n) = p.bound[row] - shift;
+  (tangential ? unit.square.t : unit.square.n) = square;
+}
+
+[[gnu::target_clones("avx2", "default")]] void ContactForm::apply(const Quad* y, Pair* out) const {
+  for (const ContactUnit& unit : units_) {
+    Pair sum;
+    for (int e = unit.first; e < unit.last; ++e) {
+      sum.n += dot(entry_[e].n, y[block_[e]]);
+      sum.t += dot(entry_[e].t, y[block_[e]]);
+    }
+    *out++ = sum;
+  }
+}
+
+[[gnu::target_clones("avx2", "default")]] void ContactForm::apply_transposed(const Pair* l,
+                                                                             Quad* out) const {
+  std::fill(out, out + blocks_, Quad{});
+  for (const ContactUnit& unit : units_) {
+    const Pair& f = *l++;
+    if (f.n == 0.0 && f.t == 0.0) continue;
+    for (int e = unit.first; e < unit.last; ++e) {
+      double* to = out[block_[e]].v;
+      for (int c = 0; c < 4; ++c)
+        to[c] += f.n * entry_[e].n.v[c] + f.t * entry_[e].t.v[c];
+    }
+  }
+}
+
+/// K_ba += g_n,b p_a' + g_t,b q_a' with p = nn g_n + nt g_t, q = tn g_n + tt g_t.
+[[gnu::target_clones("avx2", "default")]] bool ContactForm::factorise(
+    const std::vector<Weight>& weight) {
+  lu_.set_identity();
+  const int* pair = pair_.data();
+  for (int i = 0; i < count(); ++i) {
+    const ContactUnit& unit = units_[i];
+    const Weight& w = weight[i];
+    const int size = unit.last - unit.first;
+    if (w.nn != 0.0 || w.tt != 0.0 || w.tn != 0.0 || w.nt != 0.0) {
+      const int* place = pair;
+      for (int a = unit.first; a < unit.last; ++a) {
+        const ContactEntry& A = entry_[a];
+        const Quad p = combine(w.nn, A.n, w.nt, A.t);
+        const Quad q = combine(w.tn, A.n, w.tt, A.t);
+        for (int b = a; b < unit.last; ++b, ++place) {
+          const ContactEntry& B = entry_[b];
+          add_outer(B.n, p.v, lu_.lower(*place));
+          add_outer(B.t, q.v, lu_.lower(*place));
+          if (b == a) continue;
+          const Quad r = combine(w.nn, A.n, w.tn, A.t);
+          const Quad s = combine(w.nt, A.n, w.tt, A.t);
+          add_outer(B.n, r.v, lu_.upper(*place));
+          add_outer(B.t, s.v, lu_.upper(*place));
+        }
+      }
+    }
+    pair += size * (size + 1) / 2;
+  }
+  return lu_.factorise();
+}
+
+void ContactForm::read(const QuadraticProgram& program,
+                       const std::vector<Quad>& y,
+                       std::vector<double>& x) const {
+  x = program.target;
+  for (int number = 0; number < blocks_; ++number) {
+    for (int c = 0; c < program.block_size; ++c)
+      x[order_[number] * program.block_size + c] += y[number].v[c] * root_[number].v[c];
+  }
+}
+
+void ContactForm::read(const std::vector<Pair>& l, std::vector<double>& multiplier) const {
+  multiplier.assign(rows_, 0.0);
+  for (int i = 0; i < count(); ++i) {
+    multiplier[units_[i].normal] = l[i].n;
+    if (units_[i].tangent >= 0) multiplier[units_[i].tangent] = l[i].t;
+  }
+}
+
+}  // namespace wuerfel

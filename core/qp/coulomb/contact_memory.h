@@ -1,0 +1,38 @@
+/// Modes and forces of contacts from one program to the next.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/qp/coulomb/contact_modes.h"
+
+namespace wuerfel {
+
+class ContactMemory {
+ public:
+  /// Those of the contacts that are still there: found by their keys, or, without keys, all of them
+  /// if there are as many units as before. Others keep the modes given, and no force. False if
+  /// nothing was remembered.
+  bool recall(const ContactForm& form,
+              std::span<const std::uint64_t> keys,
+              std::vector<ContactMode>& modes,
+              std::vector<Pair>& l) const;
+  void remember(std::span<const std::uint64_t> keys,
+                const std::vector<ContactMode>& modes,
+                const std::vector<Pair>& l);
+  void forget() { units_.clear(); }
+
+ private:
+  struct Unit {
+    std::uint64_t key = 0;
+    ContactMode mode = ContactMode::open;
+    Pair l;
+  };
+  [[nodiscard]] const Unit* find(int unit, std::span<const std::uint64_t> keys) const;
+
+  std::vector<Unit> units_;  ///< by key, those without one behind
+  int keyed_ = 0;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,116 @@
+#include "core/qp/coulomb/contact_modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+constexpr double exact_balance =
+    1e-11;  ///< unbalance of dy to which solves are refined; callers take up the rest
+constexpr int most_refinements = 3;
+
+}  // namespace
+
+void ContactPoint::reset(const ContactForm& form) {
+  y.assign(form.blocks(), Quad{});
+  l.assign(form.count(), Pair{});
+  rest.resize(form.count());
+  for (int i = 0; i < form.count(); ++i)
+    rest[i] = form.units()[i].h;
+}
+
+void ContactPoint::recompute(const ContactForm& form) {
+  form.apply_transposed(l.data(), y.data());
+  form.apply(y.data(), rest.data());
+  for (int i = 0; i < form.count(); ++i) {
+    const Pair& h = form.units()[i].h;
+    rest[i] = {h.n - rest[i].n, h.t - rest[i].t};
+  }
+}
+
+bool ModeSystem::factorise(ContactForm& form,
+                           const std::vector<ContactMode>& modes,
+                           double delta,
+                           Pivoting pivoting) {
+  pivoting_ = pivoting;
+  if (pivoting == Pivoting::full) return pivoted_.factorise(form, modes, delta);
+  weight_.resize(modes.size());
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    ContactForm::Weight w;
+    if (modes[i] != ContactMode::open) w.nn = 1.0 / (delta * unit.compliance.n);
+    if (modes[i] == ContactMode::stick) w.tt = 1.0 / (delta * unit.compliance.t);
+    w.tn = -slip_sign(modes[i]) * unit.mu * w.nn;
+    weight_[i] = w;
+  }
+  return form.factorise(weight_);
+}
+
+/// Forces that belong to dy, from the rows; leaves u_ = G' dl - dy.
+void ModeSystem::find_forces(const ContactForm& form, const std::vector<Pair>& r) {
+  form.apply(dy_.data(), Gdy_.data());
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactForm::Weight& w = weight_[i];
+    const double n = r[i].n - Gdy_[i].n;
+    dl_[i] = {w.nn * n, w.tn * n + w.tt * (r[i].t - Gdy_[i].t)};
+  }
+  form.apply_transposed(dl_.data(), u_.data());
+}
+
+void ModeSystem::solve(const ContactForm& form,
+                       const std::vector<Pair>& r,
+                       const std::vector<Quad>& u) {
+  dl_.resize(r.size());
+  Gdy_.resize(r.size());
+  dy_.assign(u.size(), Quad{});
+  if (pivoting_ == Pivoting::full) {
+    pivoted_.solve(form, r, u, dy_, dl_);
+    form.apply(dy_.data(), Gdy_.data());
+    return;
+  }
+  u_.resize(u.size());
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactForm::Weight& w = weight_[i];
+    dl_[i] = {w.nn * r[i].n, w.tn * r[i].n + w.tt * r[i].t};
+  }
+  form.apply_transposed(dl_.data(), u_.data());
+  double former = unbounded;
+  for (int round = 0; round <= most_refinements; ++round) {
+    double size = 0.0;
+    double missed = 0.0;
+    for (std::size_t b = 0; b < u.size(); ++b) {
+      for (int c = 0; c < 3; ++c) {
+        u_[b].v[c] += u[b].v[c] - dy_[b].v[c];
+        missed = std::max(missed, std::abs(u_[b].v[c]));
+        size = std::max(size, std::abs(dy_[b].v[c]));
+      }
+    }
+    if (round > 0 && (missed <= exact_balance * size || !(missed < 0.5 * former))) break;
+    if (round > 0) former = missed;
+    form.solve(u_.data());
+    for (std::size_t b = 0; b < u.size(); ++b) {
+      for (int c = 0; c < 3; ++c)
+        dy_[b].v[c] += u_[b].v[c];
+    }
+    find_forces(form, r);
+  }
+}
+
+void follow_mode(const ContactUnit& unit, ContactMode mode, Pair& l) {
+  if (mode == ContactMode::open) l = {};
+  if (unit.equality) return;
+  l.n = std::max(l.n, 0.0);
+  const double s = slip_sign(mode);
+  const double most = unit.mu * l.n;
+  l.t = s != 0.0 ? -s * most : std::clamp(l.t, -most, most);
+}
+
+void clamp_to_cone(const ContactUnit& unit, Pair& l) {
+  if (unit.equality) return;
+  l.n = std::max(l.n, 0.0);
+  const double most = unit.mu * l.n;
+  l.t = unit.slides != 0 ? -unit.slides * most : std::clamp(l.t, -most, most);
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,73 @@
+/// The linear piece of Coulomb's law on which every contact is open, sticks or slips one way.
+///
+///     open    l = 0
+///     closed  u_n = 0                       (a row without friction)
+///     stick   u_n = 0,  u_t = 0
+///     slip    u_n = 0,  l_t = -s mu l_n     s the sign of u_t
+///
+/// Rows in force have a compliance d = delta |g|^2 against a centre of forces c, u + d (l - c) = 0.
+/// Then K = I + G' C G, C the inverse of the compliances, is the only matrix, whatever rows are
+/// redundant; moving the centre to the solution and solving again takes the compliance away
+/// (proximal point).
+#pragma once
+
+#include <vector>
+
+#include "core/qp/coulomb/contact_form.h"
+#include "core/qp/coulomb/pivoted_modes.h"
+
+namespace wuerfel {
+
+enum class ContactMode : signed char { open, closed, stick, slip_forward, slip_back };
+
+/// The sign of u_t of a contact that slips, 0 of others.
+inline double slip_sign(ContactMode mode) {
+  if (mode == ContactMode::slip_forward) return 1.0;
+  return mode == ContactMode::slip_back ? -1.0 : 0.0;
+}
+inline ContactMode slip_mode(double sign) {
+  return sign > 0.0 ? ContactMode::slip_forward : ContactMode::slip_back;
+}
+
+/// Forces, what they make of the point, and what the rows miss.
+struct ContactPoint {
+  std::vector<Quad> y;
+  std::vector<Pair> l;
+  std::vector<Pair> rest;  ///< h - G y, kept by differences
+  void reset(const ContactForm& form);
+  /// y = G' l, anew.
+  void recompute(const ContactForm& form);
+};
+
+enum class Pivoting { none, full };
+
+class ModeSystem {
+ public:
+  /// K of these modes; false where it is singular.
+  bool factorise(ContactForm& form,
+                 const std::vector<ContactMode>& modes,
+                 double delta,
+                 Pivoting pivoting);
+  /// Solves  g dy + d dl = r  for the rows in force and  dy - G' dl = u,  refined. `r` of rows not
+  /// in force is not looked at.
+  void solve(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
+  [[nodiscard]] const std::vector<Pair>& dl() const { return dl_; }
+  [[nodiscard]] const std::vector<Quad>& dy() const { return dy_; }
+  [[nodiscard]] const std::vector<Pair>& Gdy() const { return Gdy_; }
+
+ private:
+  void find_forces(const ContactForm& form, const std::vector<Pair>& r);
+
+  PivotedModes pivoted_;
+  Pivoting pivoting_ = Pivoting::none;
+  std::vector<ContactForm::Weight> weight_;
+  std::vector<Pair> dl_, Gdy_;
+  std::vector<Quad> dy_, u_;
+};
+
+/// The forces in their cones and as the mode has them: l_n = 0 where open, l_t = -s mu l_n.
+void follow_mode(const ContactUnit& unit, ContactMode mode, Pair& l);
+/// The forces in their cones, whatever the mode.
+void clamp_to_cone(const ContactUnit& unit, Pair& l);
+
+}  // namespace wuerfel

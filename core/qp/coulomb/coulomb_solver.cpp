@@ -1,0 +1,150 @@
+#include "core/qp/coulomb/coulomb_solver.h"
+
+#include <algorithm>
+
+#include "core/qp/coulomb/contact_memory.h"
+#include "core/qp/coulomb/coulomb_stages.h"
+
+namespace wuerfel {
+namespace {
+
+constexpr int known_factorisations = 8;    ///< of newton from remembered modes
+constexpr int guessed_factorisations = 4;  ///< from none
+constexpr int interior_seeds = 8;
+constexpr int lemke_seeds = 3;
+constexpr int most_from_open = 600;  ///< contacts of programs for which lemke is tried
+constexpr int most_pivoted = 120;    ///< contacts of programs that are followed with pivoting
+
+bool any_slides(const FrictionProgram& friction) {
+  return std::any_of(friction.contacts.begin(), friction.contacts.end(),
+                     [](const FrictionContact& c) { return c.slides != 0 && c.mu > 0.0; });
+}
+
+/// Whether x = 0 satisfies all rows, so that a solution exists. [Anitescu, Potra 1997]
+bool may_stand(const FrictionProgram& friction) {
+  const QuadraticProgram& p = friction.program;
+  std::vector<char> tangential(p.bound.size(), 0);
+  for (const FrictionContact& c : friction.contacts)
+    if (c.tangent >= 0) tangential[c.tangent] = 1;
+  for (int row = 0; row < p.rows(); ++row) {
+    const bool exactly = tangential[row] != 0 || p.is_equality(row);
+    if (exactly ? p.bound[row] != 0.0 : p.bound[row] > 0.0) return false;
+  }
+  return !any_slides(friction);
+}
+
+}  // namespace
+
+std::string_view to_string(CoulombStage stage) {
+  switch (stage) {
+    case CoulombStage::none:
+      return "none";
+    case CoulombStage::certificate:
+      return "certificate";
+    case CoulombStage::newton:
+      return "newton";
+    case CoulombStage::convex:
+      return "convex";
+    case CoulombStage::interior:
+      return "interior";
+    case CoulombStage::path:
+      return "path";
+    case CoulombStage::lemke:
+      return "lemke";
+  }
+  return "none";
+}
+
+struct CoulombSolver::Work {
+  explicit Work(const CoulombSettings& settings) : stages(settings) {}
+  bool start(std::span<const std::uint64_t> keys);
+  bool find(const FrictionProgram& friction,
+            std::span<const std::uint64_t> keys,
+            CoulombResult& result);
+  bool insist(const FrictionProgram& friction, CoulombResult& result);
+
+  CoulombStages stages;
+  ContactMemory memory;
+};
+
+CoulombSolver::CoulombSolver(const CoulombSettings& settings)
+    : work_(std::make_unique<Work>(settings)) {}
+CoulombSolver::~CoulombSolver() = default;
+
+void CoulombSolver::forget() {
+  work_->memory.forget();
+  work_->stages.forget();
+}
+
+void CoulombSolver::solve(const FrictionProgram& friction,
+                          CoulombResult& result,
+                          std::span<const std::uint64_t> keys) {
+  Work& w = *work_;
+  result.status = QpStatus::invalid;
+  result.stage = CoulombStage::none;
+  result.factorisations = result.crossings = 0;
+  result.residual = {.stationarity = unbounded};
+  result.x.clear();
+  const bool one_key_each = keys.empty() || keys.size() == friction.contacts.size();
+  if (!one_key_each || !defect(friction).empty()) {
+    forget();
+    return;
+  }
+  w.stages.prepare(friction);
+  const bool solved = w.find(friction, keys, result);
+  if (!solved) w.stages.take(result.multiplier);
+  result.status = solved ? QpStatus::optimal : QpStatus::inaccurate;
+  if (any_slides(friction) && (!solved || w.stages.jams(friction, result)))
+    result.status = QpStatus::infeasible;
+  w.memory.remember(keys, w.stages.modes, w.stages.forces());
+}
+
+/// Modes and forces from memory; false if there are none.
+bool CoulombSolver::Work::start(std::span<const std::uint64_t> keys) {
+  const ContactForm& form = stages.form();
+  stages.modes.resize(form.count());
+  stages.point.reset(form);
+  for (int i = 0; i < form.count(); ++i)
+    stages.modes[i] = CoulombStages::first_mode(form.units()[i]);
+  return memory.recall(form, keys, stages.modes, stages.point.l);
+}
+
+/// Where slips are known nothing is convex, and the solution nearest to the former modes comes first.
+bool CoulombSolver::Work::find(const FrictionProgram& friction,
+                               std::span<const std::uint64_t> keys,
+                               CoulombResult& result) {
+  const bool known = start(keys);
+  if (known && stages.certificate(friction, result)) return true;
+  const int most = known ? known_factorisations : guessed_factorisations;
+  if (stages.newton(friction, most, result)) return true;
+  if (any_slides(friction)) {
+    start(keys);
+    const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
+    if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
+  } else if (stages.relax(friction, result)) {
+    return true;
+  }
+  return insist(friction, result);
+}
+
+/// What is dear, and hardly ever needed beyond the first interior point.
+bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
+  const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
+  for (int k = 0; k < interior_seeds; ++k) {
+    const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
+    if (stages.interior(friction, spread, seed + k, result)) return true;
+  }
+  stages.take(result.multiplier);
+  if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
+  const auto contacts = static_cast<int>(friction.contacts.size());
+  if (contacts > most_from_open) return false;
+  if (stages.follow(friction, PathStart::open, seed, Pivoting::none, result)) return true;
+  if (stages.ended_on_ray() && !may_stand(friction)) return false;
+  for (int k = 1; k <= lemke_seeds && contacts <= most_pivoted; ++k) {
+    if (stages.follow(friction, PathStart::open, seed + 7919U * k, Pivoting::full, result))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,208 @@
+#include "core/qp/coulomb/coulomb_stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+constexpr double usual_delta = 1e-8;
+constexpr double pivoted_delta = 1e-11;
+constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without pivoting
+constexpr double least_path_delta = 1e-12;
+constexpr double convex_tolerance = 1e-12;
+constexpr double worth_settling = 1e-4;           ///< of an interior point
+constexpr int most_settled_with_pivoting = 1000;  ///< units
+constexpr int crossings_per_contact = 12;
+constexpr int most_crossings = 3000;
+constexpr int most_proximal_steps = 8;
+constexpr double jamming_force = 1e6;  ///< in weights
+
+}  // namespace
+
+CoulombStages::CoulombStages(const CoulombSettings& settings)
+    : settings_(settings), convex_(convex_tolerance) {}
+
+void CoulombStages::prepare(const FrictionProgram& friction) {
+  scales_ = judge_.measure_scales(friction.program);
+  form_.prepare(friction, scales_);
+}
+
+void CoulombStages::forget() {
+  convex_.forget();
+  form_.forget();
+}
+
+ContactMode CoulombStages::first_mode(const ContactUnit& unit) {
+  if (unit.tangent < 0) return ContactMode::closed;
+  return unit.slides != 0 ? slip_mode(unit.slides) : ContactMode::stick;
+}
+
+/// A quick look before the judge's: whether rows in force are where they should be.
+bool CoulombStages::rows_hold() const {
+  for (int i = 0; i < form_.count(); ++i) {
+    const double missed = std::abs(point.rest[i].n) * form_.units()[i].per_velocity.n;
+    if (modes[i] != ContactMode::open && missed > settings_.tolerance) return false;
+  }
+  return true;
+}
+
+bool CoulombStages::certificate(const FrictionProgram& friction, CoulombResult& result) {
+  point.recompute(form_);
+  const bool passed = rows_hold() && judge_point(friction, CoulombStage::certificate, result);
+  if (!passed) point.reset(form_);
+  return passed;
+}
+
+bool CoulombStages::newton(const FrictionProgram& friction,
+                           int most_factorisations,
+                           CoulombResult& result) {
+  const ModeNewtonOutcome outcome = mode_newton_.run(
+      form_, modes, point, {.delta = usual_delta, .most_factorisations = most_factorisations});
+  result.factorisations += outcome.factorisations;
+  return outcome.settled && judge_point(friction, CoulombStage::newton, result);
+}
+
+void CoulombStages::take(const std::vector<double>& multiplier) {
+  for (int i = 0; i < form_.count(); ++i) {
+    const ContactUnit& unit = form_.units()[i];
+    point.l[i] = {multiplier[unit.normal], unit.tangent >= 0 ? multiplier[unit.tangent] : 0.0};
+    clamp_to_cone(unit, point.l[i]);
+  }
+  cone_ = point.l;
+  point.recompute(form_);
+  find_modes();
+}
+
+/// The modes that the forces of the point show.
+void CoulombStages::find_modes() {
+  double force = 0.0;
+  for (int i = 0; i < form_.count(); ++i)
+    force = std::max(force, point.l[i].n * form_.units()[i].norm.n);
+  for (int i = 0; i < form_.count(); ++i) {
+    const ContactUnit& unit = form_.units()[i];
+    const Pair& l = point.l[i];
+    modes[i] = first_mode(unit);
+    if (unit.equality) continue;
+    if (l.n * unit.norm.n <= 1e-10 * force) {
+      modes[i] = ContactMode::open;
+    } else if (unit.tangent >= 0 && unit.slides == 0
+               && std::abs(l.t) > (1.0 - 1e-9) * unit.mu * l.n) {
+      modes[i] = slip_mode(-l.t);
+    }
+  }
+}
+
+bool CoulombStages::relax(const FrictionProgram& friction, CoulombResult& result) {
+  const QpStatus status = convex_.solve(friction);
+  result.factorisations += convex_.iterations();
+  if (status != QpStatus::optimal && status != QpStatus::inaccurate) return false;
+  take(convex_.multiplier());
+  form_.read(point.l, multiplier_);
+  cone_ = point.l;
+  x_ = convex_.x();
+  if (accept(friction, CoulombStage::convex, result)) return true;
+  const std::vector<ContactMode> kept_modes = modes;
+  const ContactPoint kept_point = point;
+  const ModeNewtonOutcome outcome =
+      mode_newton_.run(form_, modes, point, {.delta = usual_delta, .most_factorisations = 5});
+  result.factorisations += outcome.factorisations;
+  if (outcome.settled && judge_point(friction, CoulombStage::convex, result)) return true;
+  modes = kept_modes;
+  point = kept_point;
+  return false;
+}
+
+bool CoulombStages::interior(const FrictionProgram& friction,
+                             double spread,
+                             std::uint64_t seed,
+                             CoulombResult& result) {
+  const ConeInteriorOutcome outcome =
+      cone_interior_.run(form_, scales_.weight, {.spread = spread, .seed = seed}, point);
+  result.factorisations += outcome.factorisations;
+  find_modes();
+  if (judge_point(friction, CoulombStage::interior, result)) return true;
+  return outcome.worst < worth_settling && settle(friction, CoulombStage::interior, result);
+}
+
+bool CoulombStages::follow(const FrictionProgram& friction,
+                           PathStart start,
+                           std::uint64_t seed,
+                           Pivoting pivoting,
+                           CoulombResult& result) {
+  const CoulombStage stage = start == PathStart::open ? CoulombStage::lemke : CoulombStage::path;
+  ModePathEffort effort{
+      .delta = pivoting == Pivoting::none ? path_delta : usual_delta,
+      .pivoting = pivoting,
+      .most_crossings = std::min(100 + crossings_per_contact * form_.count(), most_crossings)};
+  std::vector<Pair> centre(point.l.size(), Pair{});
+  for (int k = 0; k < most_proximal_steps; ++k) {
+    const ModePathOutcome outcome =
+        start == PathStart::open && k == 0
+            ? mode_path_.run_from_open(form_, modes, point, centre, seed, effort)
+            : mode_path_.run(form_, modes, point, centre, seed + k, effort);
+    effort.delta = std::max(0.01 * effort.delta, least_path_delta);
+    result.crossings += outcome.crossings;
+    ended_on_ray_ = outcome.ray;
+    if (!outcome.arrived) return false;
+    if (judge_point(friction, stage, result)) return true;
+    if (settle(friction, stage, result)) return true;
+    centre = point.l;
+  }
+  return false;
+}
+
+/// Takes the compliance away, modes as they are or nearly.
+bool CoulombStages::settle(const FrictionProgram& friction,
+                           CoulombStage stage,
+                           CoulombResult& result) {
+  const std::vector<ContactMode> kept_modes = modes;
+  const ContactPoint kept_point = point;
+  for (const Pivoting how : {Pivoting::none, Pivoting::full}) {
+    if (how == Pivoting::full && form_.count() > most_settled_with_pivoting) break;
+    const double compliance = how == Pivoting::none ? usual_delta : pivoted_delta;
+    const ModeNewtonOutcome outcome = mode_newton_.run(
+        form_, modes, point, {.delta = compliance, .pivoting = how, .most_factorisations = 4});
+    result.factorisations += outcome.factorisations;
+    if (judge_point(friction, stage, result)) return true;
+    modes = kept_modes;
+    point = kept_point;
+  }
+  return false;
+}
+
+bool CoulombStages::judge_point(const FrictionProgram& friction,
+                                CoulombStage stage,
+                                CoulombResult& result) {
+  cone_ = point.l;
+  for (int i = 0; i < form_.count(); ++i)
+    clamp_to_cone(form_.units()[i], cone_[i]);
+  form_.read(friction.program, point.y, x_);
+  form_.read(cone_, multiplier_);
+  return accept(friction, stage, result);
+}
+
+/// Keeps x and multiplier if they are better than the result; true if they are good enough.
+bool CoulombStages::accept(const FrictionProgram& friction,
+                           CoulombStage stage,
+                           CoulombResult& result) {
+  const CoulombResidual residual = judge_.measure(friction, x_, multiplier_);
+  if (residual.worst() < result.residual.worst() || result.x.empty()) {
+    result.residual = residual;
+    result.x = x_;
+    result.multiplier = multiplier_;
+    result.stage = stage;
+  }
+  return residual.worst() <= settings_.tolerance;
+}
+
+/// Forces beyond everything: the effective inverse mass of what slips has all but vanished.
+bool CoulombStages::jams(const FrictionProgram& friction, const CoulombResult& result) const {
+  const auto beyond = [&](const FrictionContact& c) {
+    const double force = result.multiplier[c.normal] * scales_.row_norm[c.normal];
+    return force > jamming_force * scales_.weight;
+  };
+  return std::any_of(friction.contacts.begin(), friction.contacts.end(), beyond);
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,23 @@
+/// Numbers that are the same everywhere. [Vigna 2015] S. Vigna, splitmix64.
+#pragma once
+
+#include <cstdint>
+
+namespace wuerfel {
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(seed) {}
+  /// In [0, 1).
+  double next() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1p-53;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace wuerfel

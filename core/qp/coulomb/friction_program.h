@@ -1,0 +1,35 @@
+/// Coulomb's law in the plane, exactly, on programs of velocities, displacements or accelerations.
+///
+///     M (x - f) = J' lambda,
+///     0 <= lambda_n  perp  u_n = J_n x - b_n >= 0,
+///     |lambda_t| <= mu lambda_n,   lambda_t = -mu lambda_n sign(u_t)  where  u_t = J_t x - b_t != 0
+///
+/// for every contact, beside equalities (rods) and inequalities without friction. [Anitescu, Potra
+/// 1997] M. Anitescu, F. A. Potra, Formulating dynamic multi-rigid-body contact problems with
+/// friction as solvable linear complementarity problems, Nonlinear Dynamics 14: a solution exists
+/// for every mu where x = f + .. can satisfy J_n x >= b_n, J_t x = b_t (at rest: x = 0). It need not
+/// be unique, nor is it the minimum of anything. Nothing here knows of cubes.
+#pragma once
+
+#include <vector>
+
+#include "core/qp/quadratic_program.h"
+
+namespace wuerfel {
+
+struct FrictionContact {
+  int normal = -1;   ///< row of the program, an inequality
+  int tangent = -1;  ///< row of the program, its range is not looked at; -1 only where mu = 0
+  double mu = 0.0;   ///< >= 0; where it is 0 the tangential multiplier is 0
+  /// The direction of slip where it is known, the sign of u_t, so that lambda_t = -mu lambda_n
+  /// slides whatever u_t is; 0: free to stick or to slip either way.
+  int slides = 0;
+};
+
+/// Rows that belong to no contact are equalities or inequalities.
+struct FrictionProgram {
+  const QuadraticProgram& program;
+  std::vector<FrictionContact> contacts;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,220 @@
+#include "core/qp/coulomb/mode_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/qp/coulomb/dice.h"
+
+namespace wuerfel {
+ModePathOutcome ModePath::run(ContactForm& form,
+                              std::vector<ContactMode>& modes,
+                              ContactPoint& point,
+                              const std::vector<Pair>& centre,
+                              std::uint64_t seed,
+                              const ModePathEffort& effort) {
+  constexpr double margin = 1e-3;
+  Dice dice(seed);
+  delta_ = effort.delta;
+  centre_ = centre;
+  t_ = 1.0;
+  double force = 0.0;
+  for (int i = 0; i < form.count(); ++i)
+    force = std::max(force, point.l[i].n * form.units()[i].norm.n);
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    Pair& l = point.l[i];
+    if (modes[i] != ContactMode::open && !unit.equality)
+      l.n = std::max(l.n, margin * dice.next() * force / unit.norm.n);
+    follow_mode(unit, modes[i], l);
+    if (modes[i] == ContactMode::stick) l.t *= 1.0 - margin * dice.next();
+  }
+  point.recompute(form);
+  r_.assign(point.l.size(), Pair{});
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    const Pair e = slack(form, point, i);
+    const double s = slip_sign(modes[i]);
+    r_[i] = e;
+    if (modes[i] == ContactMode::open) {
+      r_[i].n = e.n - std::max(e.n, margin * dice.next() / unit.per_velocity.n);
+      r_[i].t = 0.0;
+    } else if (s != 0.0 && unit.slides == 0) {
+      r_[i].t = e.t - s * std::max(s * e.t, margin * dice.next() / unit.per_velocity.t);
+    }
+  }
+  return follow(form, modes, point, effort);
+}
+
+ModePathOutcome ModePath::run_from_open(ContactForm& form,
+                                        std::vector<ContactMode>& modes,
+                                        ContactPoint& point,
+                                        const std::vector<Pair>& centre,
+                                        std::uint64_t seed,
+                                        const ModePathEffort& effort) {
+  Dice dice(seed);
+  delta_ = effort.delta;
+  centre_ = centre;
+  point.reset(form);
+  r_.assign(point.l.size(), Pair{});
+  t_ = 1.0;
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    modes[i] = unit.equality ? ContactMode::closed : ContactMode::open;
+    if (unit.equality) continue;
+    r_[i].n = -(1.0 + dice.next()) / unit.per_velocity.n;
+    if (unit.tangent >= 0) r_[i].t = 1e-3 * (dice.next() - 0.5) / unit.per_velocity.t;
+  }
+  // Rods first, then as far away as it takes to open everything.
+  unbalance_.assign(point.y.size(), Quad{});
+  if (!system_.factorise(form, modes, delta_, effort.pivoting)) return {};
+  correct(form, modes, point);
+  for (int i = 0; i < form.count(); ++i) {
+    if (modes[i] != ContactMode::open) continue;
+    t_ = std::max(t_, 2.0 * slack(form, point, i).n / r_[i].n);
+  }
+  return follow(form, modes, point, effort);
+}
+
+/// u + d (l - c) of a unit, before t r is taken off.
+Pair ModePath::slack(const ContactForm& form, const ContactPoint& point, int i) const {
+  const ContactUnit& unit = form.units()[i];
+  const Pair& l = point.l[i];
+  return {-point.rest[i].n + delta_ * unit.compliance.n * (l.n - centre_[i].n),
+          -point.rest[i].t + delta_ * unit.compliance.t * (l.t - centre_[i].t)};
+}
+
+/// Its rate while t falls by one.
+Pair ModePath::slack_rate(const ContactForm& form, int i) const {
+  const ContactUnit& unit = form.units()[i];
+  return {system_.Gdy()[i].n + delta_ * unit.compliance.n * system_.dl()[i].n + r_[i].n,
+          system_.Gdy()[i].t + delta_ * unit.compliance.t * system_.dl()[i].t + r_[i].t};
+}
+
+/// Takes away what rounding left between the point and the path.
+void ModePath::correct(const ContactForm& form,
+                       const std::vector<ContactMode>& modes,
+                       ContactPoint& point) {
+  rhs_.assign(r_.size(), Pair{});
+  for (int i = 0; i < form.count(); ++i) {
+    if (modes[i] == ContactMode::open) continue;
+    const Pair e = slack(form, point, i);
+    rhs_[i] = {t_ * r_[i].n - e.n, t_ * r_[i].t - e.t};
+  }
+  unbalance_.resize(point.y.size());
+  form.apply_transposed(point.l.data(), unbalance_.data());
+  for (std::size_t b = 0; b < unbalance_.size(); ++b) {
+    for (int c = 0; c < 3; ++c)
+      unbalance_[b].v[c] -= point.y[b].v[c];
+  }
+  system_.solve(form, rhs_, unbalance_);
+  move(form, 1.0, point);
+}
+
+/// Rates of everything while t falls by one.
+void ModePath::find_tangent(const ContactForm& form, ContactPoint& point) {
+  for (std::size_t i = 0; i < r_.size(); ++i)
+    rhs_[i] = {-r_[i].n, -r_[i].t};
+  unbalance_.assign(point.y.size(), Quad{});
+  system_.solve(form, rhs_, unbalance_);
+}
+
+void ModePath::move(const ContactForm& form, double step, ContactPoint& point) {
+  for (int i = 0; i < form.count(); ++i) {
+    point.l[i].n += step * system_.dl()[i].n;
+    point.l[i].t += step * system_.dl()[i].t;
+    point.rest[i].n -= step * system_.Gdy()[i].n;
+    point.rest[i].t -= step * system_.Gdy()[i].t;
+  }
+  for (std::size_t b = 0; b < point.y.size(); ++b) {
+    for (int c = 0; c < 3; ++c)
+      point.y[b].v[c] += step * system_.dy()[b].v[c];
+  }
+}
+
+/// How fast what became free at the last crossing grows while t falls.
+double ModePath::entering_rate(const ContactForm& form,
+                               ContactMode from,
+                               ContactMode to,
+                               int i) const {
+  const Pair& dl = system_.dl()[i];
+  if (to == ContactMode::open) return slack_rate(form, i).n;
+  if (from == ContactMode::open) return dl.n;
+  if (to == ContactMode::stick) return form.units()[i].mu * dl.n + slip_sign(from) * dl.t;
+  return slip_sign(to) * slack_rate(form, i).t;
+}
+
+ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
+                                           const std::vector<ContactMode>& modes,
+                                           const ContactPoint& point,
+                                           double direction) const {
+  Crossing first;
+  const auto meet = [&](double value, double rate, int unit, ContactMode to) {
+    rate *= direction;
+    if (rate >= 0.0) return;
+    const double step = std::max(value, 0.0) / -rate;
+    if (step < first.step) first = {step, unit, to};
+  };
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    if (unit.equality) continue;
+    const ContactMode mode = modes[i];
+    const Pair& l = point.l[i];
+    const Pair& dl = system_.dl()[i];
+    if (mode == ContactMode::open) {
+      const Pair rate = slack_rate(form, i);
+      const Pair e = slack(form, point, i);
+      meet(e.n - t_ * r_[i].n, rate.n, i, ContactMode::closed);
+      if (first.unit != i || unit.tangent < 0) continue;
+      // The direction of slip is the one where it closes.
+      const double ut = e.t - t_ * r_[i].t + direction * first.step * rate.t;
+      first.to = slip_mode(unit.slides != 0 ? unit.slides : ut);
+      continue;
+    }
+    if (mode == ContactMode::stick) {
+      meet(unit.mu * l.n - l.t, unit.mu * dl.n - dl.t, i, ContactMode::slip_back);
+      meet(unit.mu * l.n + l.t, unit.mu * dl.n + dl.t, i, ContactMode::slip_forward);
+      continue;
+    }
+    meet(l.n, dl.n, i, ContactMode::open);
+    const double s = slip_sign(mode);
+    if (s != 0.0 && unit.slides == 0) {
+      const double ut = slack(form, point, i).t - t_ * r_[i].t;
+      meet(s * ut, s * slack_rate(form, i).t, i, ContactMode::stick);
+    }
+  }
+  return first;
+}
+
+ModePathOutcome ModePath::follow(ContactForm& form,
+                                 std::vector<ContactMode>& modes,
+                                 ContactPoint& point,
+                                 const ModePathEffort& effort) {
+  ModePathOutcome outcome;
+  double direction = 1.0;  // of -t
+  Crossing crossing;
+  ContactMode from = ContactMode::open;
+  while (true) {
+    if (!system_.factorise(form, modes, delta_, effort.pivoting)) return outcome;
+    correct(form, modes, point);
+    find_tangent(form, point);
+    if (crossing.unit >= 0)
+      direction = entering_rate(form, from, crossing.to, crossing.unit) >= 0.0 ? 1.0 : -1.0;
+    crossing = next_crossing(form, modes, point, direction);
+    if (direction > 0.0 && crossing.step >= t_) {
+      move(form, t_, point);
+      t_ = 0.0;
+      outcome.arrived = true;
+      return outcome;
+    }
+    outcome.ray = crossing.unit < 0;
+    if (outcome.ray || outcome.crossings == effort.most_crossings) return outcome;
+    ++outcome.crossings;
+    move(form, direction * crossing.step, point);
+    t_ -= direction * crossing.step;
+    from = modes[crossing.unit];
+    modes[crossing.unit] = crossing.to;
+    follow_mode(form.units()[crossing.unit], crossing.to, point.l[crossing.unit]);
+  }
+}
+
+}  // namespace wuerfel

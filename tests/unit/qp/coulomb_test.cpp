@@ -1,0 +1,206 @@
+// The exact solver on programs whose answers are known in closed form.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/qp/coulomb/coulomb_solver.h"
+#include "tests/support/friction_zoo.h"
+
+namespace wuerfel {
+namespace {
+
+using test::FrictionBuilder;
+using test::FrictionCase;
+using test::FrictionOptions;
+
+constexpr int ground = FrictionBuilder::ground;
+
+/// A box on two corners on the floor, velocity given.
+FrictionCase box_on_floor(double mu, double width, double height, std::array<double, 3> velocity) {
+  FrictionBuilder builder({.mu = mu});
+  builder.add_body(0.0, 0.5 * height, width, height);
+  builder.add_contact(0, ground, -0.5 * width, 0.0, 0.0, 1.0);
+  builder.add_contact(0, ground, 0.5 * width, 0.0, 0.0, 1.0);
+  FrictionCase c = builder.take();
+  const double mass = 1.0;
+  const double inertia = (width * width + height * height) / 12.0;
+  c.program.mass = {mass, mass, inertia};
+  c.program.target.assign(velocity.begin(), velocity.end());
+  return c;
+}
+
+/// The unit square in the 3-4-5 pose, one corner on the floor.
+FrictionCase square_on_corner(double mu, double vx, double vy) {
+  FrictionBuilder builder({.mu = mu});
+  builder.add_body(0.1, 0.7, 1.0, 1.0);
+  builder.add_contact(0, ground, 0.0, 0.0, 0.0, 1.0);
+  FrictionCase c = builder.take();
+  c.program.target = {vx, vy, 0.0};
+  return c;
+}
+
+CoulombResult solved(const FrictionCase& c) {
+  CoulombSolver solver;
+  CoulombResult result;
+  solver.solve(c.view(), result);
+  EXPECT_EQ(result.status, QpStatus::optimal);
+  EXPECT_LE(coulomb_residual(c.view(), result.x, result.multiplier).worst(), 1e-10);
+  return result;
+}
+
+TEST(Coulomb, FlatImpactSlipsAndKeepsFlat) {
+  const CoulombResult r = solved(box_on_floor(0.4, 2.0, 1.0, {3.0, -2.0, 0.0}));
+  EXPECT_NEAR(r.x[0], 2.2, 1e-12);
+  EXPECT_NEAR(r.x[1], 0.0, 1e-12);
+  EXPECT_NEAR(r.x[2], 0.0, 1e-12);
+  EXPECT_NEAR(r.multiplier[2], 1.2, 1e-12);
+  EXPECT_NEAR(r.multiplier[0], 0.8, 1e-12);
+}
+
+TEST(Coulomb, CornerSlips) {
+  const CoulombResult r = solved(square_on_corner(0.2, 3.0, -2.0));
+  EXPECT_NEAR(r.x[0], 2.65034965034965, 1e-13);
+  EXPECT_NEAR(r.x[1], -0.251748251748252, 1e-13);
+  EXPECT_NEAR(r.x[2], -2.51748251748252, 1e-13);
+  EXPECT_NEAR(r.multiplier[0], 1.74825174825175, 1e-13);
+}
+
+TEST(Coulomb, CornerSticks) {
+  const CoulombResult r = solved(square_on_corner(0.9, 0.5, -2.0));
+  EXPECT_NEAR(r.x[0], 0.5775, 1e-13);
+  EXPECT_NEAR(r.x[1], -0.0825, 1e-13);
+  EXPECT_NEAR(r.x[2], -0.825, 1e-13);
+  EXPECT_NEAR(r.multiplier[0], 1.9175, 1e-13);
+  // The tangent is the normal turned left: -x.
+  EXPECT_NEAR(r.multiplier[1], -0.0775, 1e-13);
+}
+
+TEST(Coulomb, BlockOnInclineSticksBelowTheAngleAndSlipsAbove) {
+  const double mu = 0.5;
+  for (const double part : {1.0 - 1e-6, 1.0 + 1e-6}) {
+    // Gravity leans by atan(part mu); the block is flat.
+    const double g = 9.81;
+    const double across = g * part * mu;
+    const CoulombResult r = solved(box_on_floor(mu, 1.0, 1.0, {across, -g, 0.0}));
+    EXPECT_NEAR(r.x[0], std::max(across - mu * g, 0.0), 1e-12);
+    EXPECT_NEAR(r.x[1], 0.0, 1e-12);
+    EXPECT_NEAR(r.multiplier[0] + r.multiplier[2], g, 1e-12);
+  }
+}
+
+TEST(Coulomb, SlipIsStoppedButNotReversed) {
+  const CoulombResult r = solved(box_on_floor(0.5, 2.0, 1.0, {0.3, -1.0, 0.0}));
+  EXPECT_NEAR(r.x[0], 0.0, 1e-14);
+  EXPECT_NEAR(r.multiplier[1] + r.multiplier[3], 0.3, 1e-13);
+}
+
+TEST(Coulomb, ContactsThatOpenCarryNothing) {
+  const CoulombResult r = solved(box_on_floor(0.5, 2.0, 1.0, {0.3, 1.0, 0.1}));
+  EXPECT_NEAR(r.x[0], 0.3, 1e-15);
+  for (const double lambda : r.multiplier)
+    EXPECT_EQ(lambda, 0.0);
+}
+
+TEST(Coulomb, KnownDirectionOfSlipKeepsItsForce) {
+  FrictionCase c = box_on_floor(0.5, 2.0, 1.0, {0.0, -9.81, 0.0});
+  // Sliding to +x, that is against the tangent: acceleration -mu g.
+  for (FrictionContact& contact : c.contacts)
+    contact.slides = -1;
+  const CoulombResult r = solved(c);
+  EXPECT_NEAR(r.x[0], -0.5 * 9.81, 1e-12);
+  EXPECT_NEAR(r.x[1], 0.0, 1e-12);
+}
+
+/// The 0.2 x 2 plank at 1.1 rad of Painleve: slips on one corner, friction presses it into the floor.
+FrictionCase plank(double mu) {
+  FrictionBuilder builder({.mu = mu});
+  const double x = 0.36447538541943386;
+  const double y = 0.9365669722039931;
+  builder.add_body(x, y, 0.2, 2.0);
+  builder.add_contact(0, ground, 0.0, 0.0, 0.0, 1.0);
+  FrictionCase c = builder.take();
+  c.program.mass = {1.0, 1.0, (0.04 + 4.0) / 12.0};
+  c.program.target = {0.0, -9.81, 0.0};
+  c.contacts[0].slides = 1;  // to -x, the tangent
+  return c;
+}
+
+TEST(Coulomb, PainleveBelowAndAbove) {
+  const double critical = 1.3754248121687305;
+  const CoulombResult below = solved(plank(critical * (1.0 - 1e-3)));
+  EXPECT_NEAR(below.multiplier[0] / 7034.3703490592425, 1.0, 1e-9);
+  for (const double part : {1.0 - 1e-7, 1.0 + 1e-3, 2.0}) {
+    CoulombSolver solver;
+    CoulombResult result;
+    solver.solve(plank(critical * part).view(), result);
+    EXPECT_EQ(result.status, QpStatus::infeasible) << part;
+  }
+}
+
+TEST(Coulomb, WithoutFrictionNoTangentialForce) {
+  const CoulombResult r = solved(box_on_floor(0.0, 2.0, 1.0, {3.0, -2.0, 0.0}));
+  EXPECT_NEAR(r.x[0], 3.0, 1e-15);
+  EXPECT_EQ(r.multiplier[1], 0.0);
+}
+
+TEST(Coulomb, RodsTakePart) {
+  // A block that a rod holds against sliding.
+  FrictionCase c = box_on_floor(0.1, 2.0, 1.0, {3.0, -2.0, 0.0});
+  c.program.add_equality(0.0);
+  c.program.add_entry(0, std::array{1.0, 0.0, 0.0});
+  const CoulombResult r = solved(c);
+  EXPECT_NEAR(r.x[0], 0.0, 1e-13);
+  EXPECT_NEAR(r.x[1], 0.0, 1e-13);
+}
+
+TEST(Coulomb, MalformedProgramsAreRefused) {
+  FrictionCase c = box_on_floor(0.5, 1.0, 1.0, {1.0, -1.0, 0.0});
+  CoulombSolver solver;
+  CoulombResult result;
+  const auto refused = [&] {
+    solver.solve(c.view(), result);
+    return result.status == QpStatus::invalid;
+  };
+  const FrictionContact sound = c.contacts[0];
+  c.contacts[0].mu = -0.1;
+  EXPECT_TRUE(refused());
+  c.contacts[0] = sound;
+  c.contacts[0].tangent = c.contacts[0].normal;
+  EXPECT_TRUE(refused());
+  c.contacts[0] = sound;
+  c.contacts[0].tangent = 17;
+  EXPECT_TRUE(refused());
+  c.contacts[0] = sound;
+  c.program.target[1] = NAN;
+  EXPECT_TRUE(refused());
+}
+
+TEST(Coulomb, SecondTimeIsACertificate) {
+  const FrictionCase c = box_on_floor(0.5, 2.0, 1.0, {0.3, -1.0, 0.0});
+  CoulombSolver solver;
+  CoulombResult first;
+  CoulombResult second;
+  solver.solve(c.view(), first);
+  solver.solve(c.view(), second);
+  EXPECT_EQ(second.stage, CoulombStage::certificate);
+  EXPECT_EQ(first.multiplier, second.multiplier);
+}
+
+TEST(Coulomb, KeysFindContactsAgain) {
+  FrictionCase c = test::friction_tower(3, {.mu = 0.5, .punch = 3.0});
+  CoulombSolver solver;
+  CoulombResult result;
+  const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
+  solver.solve(c.view(), result, keys);
+  const std::vector<double> before = result.multiplier;
+  const std::vector<std::uint64_t> turned{9, 2, 5, 7, 3, 11};
+  std::reverse(c.contacts.begin(), c.contacts.end());
+  solver.solve(c.view(), result, turned);
+  EXPECT_EQ(result.stage, CoulombStage::certificate);
+  EXPECT_EQ(before, result.multiplier);
+}
+
+}  // namespace
+}  // namespace wuerfel
