@@ -50,8 +50,7 @@ void add_contact_changes(const System& system,
   const std::set<NamePair> named = named_pairs(events);
   const auto rests = [&](int body) { return !system.is_cube(body) || after.resting[body] != 0; };
   const auto add = [&](const Contact& c, EventKind kind) {
-    events.push_back(
-        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0});
+    events.push_back({t, kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0});
   };
   const auto is_named = [&](const IndexPair& pair) {
     return named.contains(names(system.body(pair.first).name, system.body(pair.second).name));

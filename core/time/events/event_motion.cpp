@@ -166,7 +166,7 @@ void EventMotion::reach(const FirstEvent& event) {
 
 MotionPiece EventMotion::last_piece() const {
   const SmoothStep& step = phase_.last();
-  return {MotionPiece::Kind::smooth,    clock_, step.length, phase_.state(), step.motion,
+  return {MotionPiece::Kind::smooth,     clock_, step.length, phase_.state(), step.motion,
           phase_.equations().contacts(), {}};
 }
 

@@ -56,8 +56,8 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
   const auto touching = std::ranges::find_if(
       island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
   const int other = touching->on == cube ? touching->from : touching->on;
-  now.events.push_back({t, EventKind::rest, system.body(cube).name, system.body(other).name,
-                        touching->point, 0.0});
+  now.events.push_back(
+      {t, EventKind::rest, system.body(cube).name, system.body(other).name, touching->point, 0.0});
 }
 
 /// Makes an island rest. That it does is an event where none of its cubes did before.

@@ -97,9 +97,7 @@ class SmoothPhase {
   /// Puts a state on the closed contacts.
   void project(State& state) { equations_.project(state); }
   [[nodiscard]] bool redundant() const { return equations_.redundant(); }
-  [[nodiscard]] bool free() const {
-    return parabolas_ && equations_.contacts().empty();
-  }
+  [[nodiscard]] bool free() const { return parabolas_ && equations_.contacts().empty(); }
 
  private:
   void evaluate(const std::vector<double>& y, std::vector<double>& rate);
@@ -120,7 +118,7 @@ class SmoothPhase {
   SmoothStep step_;
   double proposed_ = 0.0;  ///< s, length of the next step
   bool parabolas_ = true;
-  double fall_ = 0.0;      ///< s, of the next free fall
+  double fall_ = 0.0;  ///< s, of the next free fall
 };
 
 }  // namespace wuerfel
