@@ -19,6 +19,10 @@ struct [[nodiscard]] IslandSolution {
   int iterations = 0;          ///< of the solver
   std::vector<Twist> twists;   ///< per cube: accelerations, or velocities after an impact
   std::vector<double> forces;  ///< per contact: N, or N s; 0 where the contact is not active
+  /// Per contact: N, or N s, along perp(normal) on the body of the corner; empty where nothing rubs.
+  std::vector<double> tangential;
+  bool friction_inexact = false;    ///< Coulomb's law was missed by `residual`
+  double restitution_factor = 1.0;  ///< what all coefficients were multiplied by
   /// Per contact: J x - b, which is the gap's second rate (m/s^2), its rate or the gap itself;
   /// infinite where the contact is not active.
   std::vector<double> slacks;

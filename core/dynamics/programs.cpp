@@ -94,9 +94,13 @@ void ProgramBuilder::add_side(const State& state,
                               const Contact& contact,
                               SideUse use,
                               Order order) {
-  const SideRow row = normal_row(*system_, state, contact, order);
   const int index =
       use == SideUse::equality ? program_.add_equality(0.0) : program_.add_inequality(0.0);
+  add_entries(state, contact, order, normal_row(*system_, state, contact, order), index);
+}
+
+void ProgramBuilder::add_entries(
+    const State& state, const Contact& contact, Order order, const SideRow& row, int index) {
   if (formulation_ == Formulation::points) {
     program_.bound[index] = -row.c;
     add_point_entries(contact, row);
@@ -105,6 +109,28 @@ void ProgramBuilder::add_side(const State& state,
   const ContactRow rigid = pull_back(*system_, state, contact, order, row);
   program_.bound[index] = -rigid.c;
   add_rigid_entries(contact, rigid);
+}
+
+void ProgramBuilder::add_friction(const State& state,
+                                  const Island& island,
+                                  std::span<const SideUse> use,
+                                  Order order,
+                                  std::span<const int> slides) {
+  friction_.clear();
+  friction_contact_.assign(island.contacts.size(), -1);
+  int normal = first_contact_row_;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (use[k] == SideUse::none) continue;
+    const Contact& c = island.contacts[k];
+    FrictionContact rub{normal++, -1, system_->surface(c.on, c.from).friction,
+                        slides.empty() ? 0 : slides[k]};
+    if (rub.mu > 0.0) {
+      rub.tangent = program_.add_row(0.0, -unbounded, unbounded);
+      add_entries(state, c, order, tangential_row(*system_, state, c, order), rub.tangent);
+    }
+    friction_contact_[k] = static_cast<int>(friction_.size());
+    friction_.push_back(rub);
+  }
 }
 
 void ProgramBuilder::add_sides(const State& state,

@@ -23,6 +23,7 @@
 
 #include "core/constraints/islands.h"
 #include "core/dynamics/contact_rows.h"
+#include "core/qp/coulomb/friction_program.h"
 #include "core/qp/quadratic_program.h"
 #include "core/settings.h"
 
@@ -49,6 +50,19 @@ class ProgramBuilder {
                 std::span<const SideUse> use,
                 std::span<const Twist> targets = {});
 
+  /// Adds, after all other rows, the tangential row of every contact that is used and rubs
+  /// (System::surface), of the order of the program built last. `slides` has the known direction of
+  /// slip per contact of the island (+1, -1, or 0: free to stick or to slip); empty: all free.
+  void add_friction(const State& state,
+                    const Island& island,
+                    std::span<const SideUse> use,
+                    Order order,
+                    std::span<const int> slides = {});
+  /// The contacts of the program with their rows and coefficients, after `add_friction`.
+  [[nodiscard]] FrictionProgram friction_program() const { return {program_, friction_}; }
+  /// Per contact of the island its number in friction_program(), -1 where it is not used.
+  [[nodiscard]] const std::vector<int>& friction_contact() const { return friction_contact_; }
+
   [[nodiscard]] const QuadraticProgram& program() const { return program_; }
   /// Number of the row of the first contact: that many rods come before it.
   [[nodiscard]] int first_contact_row() const { return first_contact_row_; }
@@ -68,12 +82,16 @@ class ProgramBuilder {
                  std::span<const SideUse> use,
                  Order order);
   void add_side(const State& state, const Contact& contact, SideUse use, Order order);
+  void add_entries(
+      const State& state, const Contact& contact, Order order, const SideRow& row, int index);
   void add_point_entries(const Contact& contact, const SideRow& row);
   void add_rigid_entries(const Contact& contact, const ContactRow& row);
 
   const System* system_;
   Formulation formulation_;
   QuadraticProgram program_;
+  std::vector<FrictionContact> friction_;
+  std::vector<int> friction_contact_;
   std::vector<int> local_;  ///< number of a cube within the island
   int first_contact_row_ = 0;
 };

@@ -1,0 +1,105 @@
+#include "core/dynamics/friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/qp/coulomb/restitution.h"
+
+namespace wuerfel {
+namespace {
+
+/// A name for every contact of an island.
+std::vector<std::uint64_t> keys_of(const Island& island) {
+  std::vector<std::uint64_t> keys;
+  for (const Contact& c : island.contacts) {
+    const auto bits = [](int value) { return static_cast<std::uint64_t>(value); };
+    keys.push_back((((bits(c.on) << 28U) | bits(c.from)) << 8U) | (bits(c.corner) << 4U)
+                   | bits(c.side));
+  }
+  return keys;
+}
+
+}  // namespace
+
+bool rubs(const System& system, const Island& island) {
+  return system.rubs && std::ranges::any_of(island.contacts, [&](const Contact& c) {
+           return system.surface(c.on, c.from).friction > 0.0;
+         });
+}
+
+bool bounces(const System& system, const Island& island) {
+  return system.bounces && std::ranges::any_of(island.contacts, [&](const Contact& c) {
+           return system.surface(c.on, c.from).restitution > 0.0;
+         });
+}
+
+FrictionDynamics::FrictionDynamics(const System& system, const MotionSettings& settings)
+    : system_(&system), settings_(settings), builder_(system, settings.formulation) {}
+
+CoulombSolver& FrictionDynamics::solver_of(const Island& island, Solvers& solvers) const {
+  std::unique_ptr<CoulombSolver>& solver = solvers[island.cubes.front()];
+  if (!solver) solver = std::make_unique<CoulombSolver>();
+  if (!settings_.skips.warm_start) solver->forget();
+  return *solver;
+}
+
+IslandSolution FrictionDynamics::read(const State& state,
+                                      const Island& island,
+                                      const CoulombResult& result) const {
+  IslandSolution solution;
+  solution.status = result.status;
+  solution.residual = result.residual.worst();
+  solution.friction_inexact = result.inexact();
+  solution.iterations = result.factorisations;
+  solution.forces.assign(island.contacts.size(), 0.0);
+  solution.tangential.assign(island.contacts.size(), 0.0);
+  solution.slacks.assign(island.contacts.size(), unbounded);
+  const QuadraticProgram& program = builder_.program();
+  const bool known = static_cast<int>(result.x.size()) == program.unknowns();
+  solution.twists = builder_.twists(state, island, known ? result.x : program.target);
+  if (!known) return solution;
+  const FrictionProgram friction = builder_.friction_program();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const int n = builder_.friction_contact()[k];
+    if (n < 0) continue;
+    const FrictionContact& contact = friction.contacts[n];
+    solution.forces[k] = std::max(0.0, result.multiplier[contact.normal]);
+    if (contact.tangent >= 0) {
+      const double most = contact.mu * solution.forces[k];
+      solution.tangential[k] = std::clamp(result.multiplier[contact.tangent], -most, most);
+    }
+  }
+  return solution;
+}
+
+IslandSolution FrictionDynamics::impact(const State& state, const Island& island, double slow) {
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  builder_.velocity(state, island, use);
+  builder_.add_friction(state, island, use, Order::velocity);
+  std::vector<double> restitution;
+  std::vector<double> closing;
+  for (const Contact& c : island.contacts) {
+    const double rate = gap_rate(c, contact_velocity(*system_, state, c));
+    closing.push_back(rate);
+    restitution.push_back(rate < -slow ? system_->surface(c.on, c.from).restitution : 0.0);
+  }
+  ImpactResult result;
+  impact_with_restitution(solver_of(island, impacts_), builder_.friction_program(), restitution,
+                          closing, result, keys_of(island));
+  IslandSolution solution = read(state, island, result.solution);
+  solution.restitution_factor = result.factor;
+  return solution;
+}
+
+IslandSolution FrictionDynamics::placement(const State& state,
+                                           const Island& island,
+                                           std::span<const Twist> targets) {
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  builder_.position(state, island, use, targets);
+  builder_.add_friction(state, island, use, Order::position);
+  CoulombResult result;
+  solver_of(island, placements_).solve(builder_.friction_program(), result, keys_of(island));
+  return read(state, island, result);
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,46 @@
+/// Programs with friction over islands: Coulomb's law in velocities and in displacements, exactly.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "core/dynamics/gauss.h"
+#include "core/qp/coulomb/coulomb_solver.h"
+
+namespace wuerfel {
+
+/// Whether contacts of the island rub, or bounce.
+bool rubs(const System& system, const Island& island);
+bool bounces(const System& system, const Island& island);
+
+/// Builds and solves them. Remembers, island by island, which contacts stuck and slipped; an island
+/// is known by its first cube.
+class FrictionDynamics {
+ public:
+  FrictionDynamics(const System& system, const MotionSettings& settings);
+
+  /// Velocities after all contacts of the island have hit at once, and their impulses: Coulomb's law
+  /// and Newton's law of restitution on total impulses [Glocker 2013]. Velocities below `slow` (m/s)
+  /// do not bounce.
+  IslandSolution impact(const State& state, const Island& island, double slow);
+  /// Displacements from `state` nearest to `targets` (one per cube, m and rad) under Coulomb's law
+  /// in displacements: no gap below zero, friction against the way that a corner slides.
+  IslandSolution placement(const State& state,
+                           const Island& island,
+                           std::span<const Twist> targets);
+
+ private:
+  using Solvers = std::map<int, std::unique_ptr<CoulombSolver>>;
+  CoulombSolver& solver_of(const Island& island, Solvers& solvers) const;
+  [[nodiscard]] IslandSolution read(const State& state,
+                                    const Island& island,
+                                    const CoulombResult& result) const;
+
+  const System* system_;
+  MotionSettings settings_;
+  ProgramBuilder builder_;
+  Solvers impacts_;
+  Solvers placements_;
+};
+
+}  // namespace wuerfel
