@@ -11,6 +11,9 @@ namespace {
 /// rounding).
 constexpr double promised_overlap = 1.01e-9;
 
+/// Residual of Coulomb's law that is counted but borne.
+constexpr double promised_friction = 1e-6;
+
 /// What is less exact than was asked for; empty where nothing is.
 std::string missed_promise(const Audit& audit, double force_residual) {
   if (audit.missed_solves > 0) {
@@ -24,6 +27,12 @@ std::string missed_promise(const Audit& audit, double force_residual) {
         "{} times events could not be told apart, or wedged bodies had to stop short; the result "
         "is there but over the error budget",
         audit.unresolved);
+  }
+  if (audit.friction_residual > promised_friction) {
+    return fmt::format(
+        "Coulomb's law was missed in {} contact problems, the worst with a residual of {:.2g}; the "
+        "result is there but over the error budget",
+        audit.friction_inexact, audit.friction_residual);
   }
   if (audit.max_overlap > promised_overlap) {
     return fmt::format(

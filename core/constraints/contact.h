@@ -28,6 +28,7 @@ struct Contact {
   int corner = 0;              ///< number of p_k in `on`
   int side = 0;                ///< number of the side in `from`; 0 for a plane
   double gap = 0.0;            ///< m, negative inside
+  double slip = 0.0;           ///< m, already slid along perp(normal) when a placement begins
   double alpha = 0.0;          ///< Eq. (5)
   double length = 1.0;         ///< m, |p_j - p_i|
   Vec2 point = Vec2::Zero();   ///< m, p_k

@@ -91,6 +91,13 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
   return solution;
 }
 
+bool FrictionDynamics::rests(const State& still, const Island& island) {
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  builder_.acceleration(still, island, use);
+  builder_.add_friction(still, island, use, Order::acceleration);
+  return rest_.solve(builder_.friction_program()).equilibrium();
+}
+
 IslandSolution FrictionDynamics::placement(const State& state,
                                            const Island& island,
                                            std::span<const Twist> targets) {

@@ -6,6 +6,7 @@
 
 #include "core/dynamics/gauss.h"
 #include "core/qp/coulomb/coulomb_solver.h"
+#include "core/qp/coulomb/rest_program.h"
 
 namespace wuerfel {
 
@@ -23,6 +24,9 @@ class FrictionDynamics {
   /// and Newton's law of restitution on total impulses [Glocker 2013]. Velocities below `slow` (m/s)
   /// do not bounce.
   IslandSolution impact(const State& state, const Island& island, double slow);
+  /// Whether the island can stay at rest where it is: an equilibrium exists [friction's cone is the
+  /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
+  bool rests(const State& still, const Island& island);
   /// Displacements from `state` nearest to `targets` (one per cube, m and rad) under Coulomb's law
   /// in displacements: no gap below zero, friction against the way that a corner slides.
   IslandSolution placement(const State& state,
@@ -39,6 +43,7 @@ class FrictionDynamics {
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
+  RestProgram rest_;
   Solvers impacts_;
   Solvers placements_;
 };

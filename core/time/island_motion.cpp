@@ -20,6 +20,11 @@ constexpr double first_window = 0.5;
 constexpr double sweep_reserve = 1.2;
 /// What the tolerance promises of energy, per L / V: times that of all that moves or hangs.
 constexpr double drift_share = 10.0;
+/// What steps may leave unexplained of the energy that moved, or was lost.
+constexpr double stepped_drift_share = 1e-4;
+/// By how much the loss of a step that is under way may differ from an even one: what slows down to rest within it
+/// loses s (2 - s) of it up to a share s.
+constexpr double uneven_share = 0.25;
 /// Cubes within this share of their half diagonal belong together.
 constexpr double margin_share = 1e-3;
 
@@ -44,8 +49,8 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
     : system_(&system), settings_(settings) {
   scales_ = scales_of(system, start);
   length_ = first_window * scales_.time;
-  budget_ = drift_share * settings.tolerance
-            * (kinetic_energy(system, start) + scales_.weight * scales_.length);
+  in_motion_ = kinetic_energy(system, start) + scales_.weight * scales_.length;
+  budget_ = drift_share * settings.tolerance * in_motion_;
   bounds_.resize(system.cubes);
   group_of_.assign(start.size(), -1);
   resting_.assign(start.size(), 0);
@@ -70,7 +75,7 @@ void IslandMotion::advance_to(double t) {
     shown_.events.push_back(events[next_event_]);
   const auto& losses = computed_.losses;
   for (; next_loss_ < losses.size() && losses[next_loss_].t <= t; ++next_loss_)
-    shown_.audit.impact_loss += losses[next_loss_].energy;
+    (losses[next_loss_].friction ? friction_loss_ : impact_loss_) += losses[next_loss_].energy;
 }
 
 const State& IslandMotion::state() {
@@ -79,12 +84,23 @@ const State& IslandMotion::state() {
 }
 
 const Bookkeeping& IslandMotion::book() {
-  const double loss = shown_.audit.impact_loss;
+  double friction = friction_loss_;
+  double under_way = 0.0;
+  for (std::size_t k = next_loss_; k < computed_.losses.size(); ++k) {
+    const Loss& loss = computed_.losses[k];
+    if (!loss.friction || loss.since >= time_) continue;
+    friction += loss.energy * (time_ - loss.since) / (loss.t - loss.since);
+    under_way += loss.energy;
+  }
   shown_.audit = computed_.audit;
-  shown_.audit.impact_loss = loss;
+  shown_.audit.impact_loss = impact_loss_;
+  shown_.audit.friction_loss = friction;
   shown_.cost = computed_.cost;
-  const bool stepped = settings_.integrator == Integrator::rattle || computed_.cost.hand_overs > 0;
-  shown_.audit.drift_budget = stepped ? 0.0 : budget_ * (1.0 + time_ / scales_.time);
+  const bool stepped = settings_.integrator == Integrator::rattle || computed_.cost.hand_overs > 0
+                       || system_->rubs || system_->bounces;
+  shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact_loss_ + friction)
+                                            + uneven_share * under_way
+                                      : budget_ * (1.0 + time_ / scales_.time);
   return shown_;
 }
 

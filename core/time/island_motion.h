@@ -50,11 +50,12 @@ class IslandMotion final : public Motion {
   std::vector<Track::Stepping> stepping_;  ///< per cube, at the start of the window
   std::vector<BoundingBox> bounds_;
   BroadPhase broad_phase_;
-  double begin_ = 0.0;   ///< s, of the window
-  double end_ = 0.0;     ///< s, up to which all groups have come
-  double length_ = 0.0;  ///< s, of the next window
-  double budget_ = 0.0;  ///< J, of drift per L / V
-  double time_ = 0.0;    ///< s, where the motion is looked at
+  double begin_ = 0.0;      ///< s, of the window
+  double end_ = 0.0;        ///< s, up to which all groups have come
+  double length_ = 0.0;     ///< s, of the next window
+  double in_motion_ = 0.0;  ///< J, at the start
+  double budget_ = 0.0;     ///< J, of drift per L / V
+  double time_ = 0.0;       ///< s, where the motion is looked at
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while
                                                 ///< something does
@@ -63,6 +64,8 @@ class IslandMotion final : public Motion {
   Bookkeeping shown_;                           ///< up to now
   std::size_t next_event_ = 0;
   std::size_t next_loss_ = 0;
+  double impact_loss_ = 0.0;    ///< J, up to now
+  double friction_loss_ = 0.0;  ///< J, of steps that are over
 };
 
 }  // namespace wuerfel

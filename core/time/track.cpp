@@ -32,7 +32,10 @@ constexpr int looks_per_piece = 4;
 }  // namespace
 
 Track::Track(const System& system, const MotionSettings& settings)
-    : system_(&system), settings_(settings), events_(system, settings) {}
+    : system_(&system),
+      settings_(settings),
+      only_steps_(system.rubs || system.bounces),
+      events_(system, settings) {}
 
 void Track::begin_steps(const State& state, double t) {
   if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_);
@@ -40,6 +43,7 @@ void Track::begin_steps(const State& state, double t) {
   steps_->begin(state, always ? settings_.step : first_step * frame(),
                 always ? settings_.step : longest_step * frame());
   stepping_ = true;
+  moving_.assign(state.size(), 0);
   clock_ = t;
 }
 
@@ -53,17 +57,44 @@ void Track::start(const State& state,
   patience_ = stepping.patience;
   handed_back_ = t;
   frame_events_ = former_events_ = 0;
+  stepping_ = false;
+  if (only_steps_) {
+    if (!rest_from(state, t, touching, book_)) {
+      begin_steps(state, t);
+      until_ = t + longest_step * frame();
+    }
+    return;
+  }
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
   ContactLimits limits;
   limits.touching = std::max(touching, limits.touching);
   events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
-  stepping_ = false;
   const bool always = settings_.integrator == Integrator::rattle;
   if (events_.at_rest()) return;
   if (!(always || events_.wedged() || stepping.until > t)) return;
   begin_steps(events_.state(), t);
   until_ = always ? std::numeric_limits<double>::infinity() : std::max(stepping.until, t + frame());
+}
+
+/// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
+bool Track::rest_from(const State& state, double t, double touching, Bookkeeping& book) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (fastest_corner(system_->bodies[i], state[i]) > rest_speed * scales_.speed) return false;
+  }
+  State still = state;
+  for (BodyState& s : still) {
+    s.velocity.setZero();
+    s.spin = 0.0;
+  }
+  ContactLimits limits;
+  limits.touching = std::max(touching, limits.touching);
+  Bookkeeping found;
+  events_.start(still, t, limits, {}, found);
+  if (!events_.at_rest()) return false;
+  found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
+  add(found, book);
+  return true;
 }
 
 Track::Stepping Track::stepping() const {
@@ -78,7 +109,7 @@ double Track::clock() const { return stepping_ ? clock_ : events_.clock(); }
 
 const State& Track::state() const { return stepping_ ? steps_->state() : events_.state(); }
 
-const std::vector<char>& Track::resting() const { return events_.resting(); }
+const std::vector<char>& Track::resting() const { return stepping_ ? moving_ : events_.resting(); }
 
 void Track::advance(double limit) {
   if (stepping_) {
@@ -170,6 +201,11 @@ void Track::step(double limit) {
 
 /// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
+  if (only_steps_) {
+    until_ = (std::round(clock_ / frame()) + longest_step) * frame();
+    stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_share, book_);
+    return;
+  }
   const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
   const bool few = system_->cubes <= most_event_cubes || settings_.integrator == Integrator::event;
   if (calm && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
@@ -186,7 +222,7 @@ void Track::hand_back() {
   stepping_ = false;
   const State state = steps_->with_closed_gaps();
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
-  if (loss > 0.0) book_.losses.push_back({clock_, loss});
+  if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
   events_.start(state, clock_, {touching_share, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }

@@ -66,6 +66,7 @@ class Track {
 
  private:
   [[nodiscard]] std::ptrdiff_t piece_at(double t) const;
+  bool rest_from(const State& state, double t, double touching, Bookkeeping& book);
   void begin_steps(const State& state, double t);
   [[nodiscard]] bool leaves_overlap(const Audit& before);
   [[nodiscard]] double frame() const;
@@ -79,6 +80,7 @@ class Track {
 
   const System* system_;
   MotionSettings settings_;
+  bool only_steps_ = false;  ///< where bodies rub or bounce, which events do not know
   EventMotion events_;
   std::unique_ptr<ControlledStepping> steps_;  ///< none before the first step
   std::unique_ptr<StepLook> look_;             ///< none before the first look between steps
@@ -86,7 +88,8 @@ class Track {
   std::vector<Contact> contacts_;  ///< scratch
   Scales scales_;
   bool stepping_ = false;
-  double clock_ = 0.0;  ///< s, of the stepping
+  std::vector<char> moving_;  ///< nobody rests while stepping
+  double clock_ = 0.0;        ///< s, of the stepping
   std::deque<MotionPiece> pieces_;
   double until_ = 0.0;  ///< s, end of the stepping
   long frame_ = 0;      ///< number of the frame in which events are counted

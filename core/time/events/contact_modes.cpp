@@ -139,6 +139,7 @@ bool rests(const Island& island,
     s.velocity.setZero();
     s.spin = 0.0;
   }
+  if (rubs(*work.system, island)) return work.friction.rests(still, island);
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   const IslandSolution solution = accelerations(island, still, use, work);
   return accelerations_vanish(*work.system, island, solution, scales.gravity);

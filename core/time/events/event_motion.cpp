@@ -112,7 +112,7 @@ void EventMotion::begin_phase(const State& state,
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot.
   const double loss = energy_before - energy(*system_, phase_.state());
-  if (loss > 0.0) book.losses.push_back({clock_, loss});
+  if (loss > 0.0) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
   forces_.begin(phase_, zero_force * phase_.scales().weight);
 }

@@ -64,6 +64,13 @@ std::vector<double> OverlapRemoval::margins_of(const Island& island) const {
   return margins;
 }
 
+Island OverlapRemoval::with_margins(Island island) const {
+  const std::vector<double> margins = margins_of(island);
+  for (std::size_t k = 0; k < margins.size(); ++k)
+    island.contacts[k].gap -= margins[k];
+  return island;
+}
+
 IslandSolution OverlapRemoval::apart(Island island,
                                      const State& state,
                                      std::span<const Twist> targets,

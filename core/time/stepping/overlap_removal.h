@@ -29,6 +29,8 @@ class OverlapRemoval {
                        const State& state,
                        std::span<const Twist> targets,
                        Bookkeeping& book);
+  /// The island with its gaps less what is kept open.
+  [[nodiscard]] Island with_margins(Island island) const;
   /// Newton's method towards the nearest place without overlap; each pair is kept apart by the side
   /// that did so longest on the way from the start. Adds the contacts that pushed to `pushing`.
   void clean_up(State& state, std::vector<Contact>& pushing, Bookkeeping& book);

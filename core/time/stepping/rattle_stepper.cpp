@@ -41,7 +41,8 @@ State displacement_of(const State& from, const State& to) {
 
 /// What the contacts of a component take from its energy, J.
 struct Balance {
-  double closing = 0.0;  ///< those that close
+  double friction = 0.0;  ///< along sides
+  double closing = 0.0;   ///< those that close
   double lasting =
       0.0;  ///< those that were closed and stay so: the sway of the method, where nothing is struck
   double last_struck = -1.0;  ///< share of the step; none: -1
@@ -51,6 +52,24 @@ std::vector<Contact> contacts_of_fixed(const System& system, std::vector<Contact
   std::erase_if(contacts,
                 [&](const Contact& c) { return system.is_cube(c.on) && system.is_cube(c.from); });
   return contacts;
+}
+
+/// The impulse on the body of the corner.
+Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
+  const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
+  return solution.forces[k] * c.normal + side * perp(c.normal);
+}
+
+/// How far the corner has slid along the side, along perp(normal), m.
+double slip_of(const System& system, const Contact& start, const Contact& end) {
+  if (system.body(start.from).kind == BodyKind::plane)
+    return perp(start.normal).dot(end.point - start.point);
+  return (start.alpha - end.alpha) * start.length;
+}
+
+/// The same to first order: of a displacement, or a velocity.
+double slip_rate(const Contact& c, const ContactVelocity& v) {
+  return perp(c.normal).dot(v.v_k - c.alpha * v.v_j - (1.0 - c.alpha) * v.v_i);
 }
 
 double sum_of(const std::vector<StepLoss>& losses) {
@@ -66,7 +85,7 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
   const double total = std::max(0.0, sums.closing + (struck ? sums.lasting : 0.0));
   const double booked = sum_of(losses);
   if (total > booked) {
-    losses.push_back({struck ? sums.last_struck : 1.0, total - booked});
+    losses.push_back({struck ? sums.last_struck : 1.0, total - booked, false});
   } else {
     for (StepLoss& loss : losses)
       loss.energy *= total / booked;
@@ -78,6 +97,7 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
 RattleStepper::RattleStepper(const System& system, const MotionSettings& settings, double sway)
     : system_(&system),
       dynamics_(system, settings, tolerances),
+      friction_(system, settings),
       removal_(system, settings),
       closed_(system),
       sway_(sway) {}
@@ -142,6 +162,16 @@ void RattleStepper::place(Step& step) {
     place_island(island, step);
 }
 
+/// Displacements that keep the cubes of an island apart, against friction where they rub.
+IslandSolution RattleStepper::apart(const Island& island,
+                                    const std::vector<Twist>& targets,
+                                    Step& step) {
+  if (!rubs(*system_, island)) return removal_.apart(island, start_, targets, step.book);
+  IslandSolution solution = friction_.placement(start_, removal_.with_margins(island), targets);
+  keep_book(solution, step.book);
+  return solution;
+}
+
 /// Velocities between the halves, from the multipliers of a placement, and the places that they lead to.
 void RattleStepper::fly_half(const Island& island, const IslandSolution& solution, State& state) {
   for (const int cube : island.cubes) {
@@ -151,7 +181,7 @@ void RattleStepper::fly_half(const Island& island, const IslandSolution& solutio
   const double least = solution.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
-    if (solution.forces[k] > least) push(*system_, c, solution.forces[k] / h_ * c.normal, half_);
+    if (solution.forces[k] > least) push(*system_, c, impulse_at(c, solution, k) / h_, half_);
   }
   for (const int cube : island.cubes) {
     state[cube].position = start_[cube].position + h_ * half_[cube].velocity;
@@ -164,7 +194,7 @@ void RattleStepper::note_pressed(const Island& island, const IslandSolution& sol
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (solution.forces[k] > least)
-      blows_[c.id()] = {c, c, solution.forces[k] / h_ * c.normal, Vec2::Zero()};
+      blows_[c.id()] = {c, c, impulse_at(c, solution, k) / h_, Vec2::Zero()};
   }
 }
 
@@ -186,7 +216,7 @@ void RattleStepper::place_island(const Island& island, Step& step) {
   std::vector<Twist> targets;
   for (const int cube : island.cubes)
     targets.push_back({h_ * half_[cube].velocity, h_ * half_[cube].spin});
-  const IslandSolution straight = removal_.apart(island, start_, targets, step.book);
+  const IslandSolution straight = apart(island, targets, step);
   fly_half(island, straight, step.state);
   // Where something is struck within the step its order is one anyway.
   const double least = straight.least_pressing();
@@ -211,23 +241,27 @@ void RattleStepper::bend(const Island& island,
   std::vector<Box> boxes;
   pose_boxes(*system_, step.state, boxes);
   const State moved = displacement_of(start_, step.state);
+  const bool rubbing = rubs(*system_, island);
   Island bent = island;
   bool missed = false;
   for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
     Contact& c = bent.contacts[k];
-    const double gap = at_poses(*system_, boxes, c).gap;
-    const double reached = c.gap + gap_rate(c, contact_velocity(*system_, moved, c));
+    const Contact now = at_poses(*system_, boxes, c);
+    const ContactVelocity way = contact_velocity(*system_, moved, c);
+    const double gap = now.gap - (c.gap + gap_rate(c, way));
+    const double slip = rubbing ? slip_of(*system_, c, now) - slip_rate(c, way) : 0.0;
     missed = missed
-             || (std::abs(gap - reached) > bent_share * contact_scale(*system_, c)
-                 && (straight.forces[k] > 0.0 || gap < 0.0));
-    c.gap += gap - reached;
+             || (std::max(std::abs(gap), std::abs(slip)) > bent_share * contact_scale(*system_, c)
+                 && (straight.forces[k] > 0.0 || now.gap < 0.0));
+    c.gap += gap;
+    c.slip += slip;
   }
   if (!missed) {
     note_pressed(island, straight);
     return;
   }
-  const IslandSolution solution = removal_.apart(bent, start_, targets, step.book);
-  const bool found = solution.status == QpStatus::optimal;
+  const IslandSolution solution = apart(bent, targets, step);
+  const bool found = solution.status == QpStatus::optimal || solution.friction_inexact;
   if (found) fly_half(island, solution, step.state);
   note_pressed(island, found ? solution : straight);
 }
@@ -269,19 +303,21 @@ void RattleStepper::find_touching(Step& step) {
     blows_.emplace(c.id(), Blow{at_poses(*system_, removal_.near().start_boxes(), c), c});
 }
 
-/// Moreau's impact over all that touches, one island after the other.
+/// The impact law over all that touches, one island after the other.
 void RattleStepper::hit(Step& step) {
   find_islands(*system_, contacts_, islands_);
   before_ = step.state;
   for (const Island& island : islands_) {
     if (!closes(*system_, step.state, island)) continue;
-    const IslandSolution after = impact(*system_, step.state, island, dynamics_).after;
+    const IslandSolution after = rubs(*system_, island)
+                                     ? friction_.impact(step.state, island, 0.0)
+                                     : impact(*system_, step.state, island, dynamics_).after;
     keep_book(after, step.book);
     const double least = after.least_pressing();
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
       const Contact& c = island.contacts[k];
       if (after.forces[k] <= least) continue;
-      const Vec2 impulse = after.forces[k] * c.normal;
+      const Vec2 impulse = impulse_at(c, after, k);
       push(*system_, c, impulse, step.state);
       blows_.at(c.id()).second = impulse;
     }
@@ -311,21 +347,22 @@ void RattleStepper::find_components(StepRecord& record) {
   }
 }
 
-/// Work of a contact in both halves, J: what its impulses do against the mean velocities that they change, gravity
+/// Work of a contact in both halves: what its impulses do against the mean velocities that they change, gravity
 /// aside.
-double RattleStepper::work(const Blow& blow, const State& end) const {
-  const auto against = [&](const Contact& c, const State& a, const State& b, const Vec2& more) {
-    const auto relative = [&](const State& state) { return relative_velocity(*system_, state, c); };
-    Vec2 mean = 0.5 * (relative(a) + relative(b));
-    if (system_->is_cube(c.on) != system_->is_cube(c.from))
-      mean += system_->is_cube(c.on) ? more : Vec2(-more);
-    return mean;
+RattleStepper::Work RattleStepper::work(const Blow& blow, const State& end) const {
+  Work sum;
+  const auto add = [&](const Contact& c, const Vec2& p, const State& a, const State& b, Vec2 more) {
+    if (p.isZero(0.0)) return;
+    if (!system_->is_cube(c.on)) more = -more;
+    if (system_->is_cube(c.on) && system_->is_cube(c.from)) more.setZero();
+    const Vec2 v =
+        0.5 * (relative_velocity(*system_, a, c) + relative_velocity(*system_, b, c)) + more;
+    const Vec2 t = perp(c.normal);
+    sum.normal += p.dot(c.normal) * v.dot(c.normal);
+    sum.side += p.dot(t) * v.dot(t);
   };
-  const Vec2 less = -0.25 * h_ * system_->gravity;
-  double sum = 0.0;
-  if (!blow.first.isZero(0.0)) sum += blow.first.dot(against(blow.start, start_, half_, less));
-  if (!blow.second.isZero(0.0))
-    sum += blow.second.dot(against(blow.end, before_, end, Vec2::Zero()));
+  add(blow.start, blow.first, start_, half_, -0.25 * h_ * system_->gravity);
+  add(blow.end, blow.second, before_, end, Vec2::Zero());
   return sum;
 }
 
@@ -358,17 +395,22 @@ void RattleStepper::book_blows(Step& step, StepRecord& record, double t) const {
     const double share = struck_at(blow);
     record.impulses.push_back(impulse_of(blow, step.state, struck ? share : 0.0, share));
     const int k = component[system_->is_cube(blow.end.on) ? blow.end.on : blow.end.from];
-    const double loss = -work(blow, step.state);
+    const Work done = work(blow, step.state);
+    const double loss = -done.normal;
+    balances[k].friction -= done.side;
     (lasts(blow) ? balances[k].lasting : balances[k].closing) += loss;
-    if (!lasts(blow) && loss > 0.0) record.components[k].losses.push_back({share, loss});
+    if (!lasts(blow) && loss > 0.0) record.components[k].losses.push_back({share, loss, false});
     if (!struck) continue;
     balances[k].last_struck = std::max(balances[k].last_struck, share);
     step.book.events.push_back({t + share * h_, EventKind::impact, system_->body(blow.end.on).name,
                                 system_->body(blow.end.from).name, blow.end.point,
                                 (blow.first + blow.second).dot(blow.end.normal)});
   }
-  for (std::size_t k = 0; k < balances.size(); ++k)
-    balance(balances[k], record.components[k].losses);
+  for (std::size_t k = 0; k < balances.size(); ++k) {
+    std::vector<StepLoss>& losses = record.components[k].losses;
+    balance(balances[k], losses);
+    if (balances[k].friction > 0.0) losses.push_back({1.0, balances[k].friction, true});
+  }
   std::stable_sort(step.book.events.begin(), step.book.events.end(),
                    [](const Event& a, const Event& b) { return a.t < b.t; });
 }
@@ -404,7 +446,7 @@ void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) cons
     }
     for (StepLoss& loss : part.losses) {
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
-      step.book.losses.push_back({t + loss.share * h_, loss.energy});
+      step.book.losses.push_back({t + loss.share * h_, loss.energy, loss.friction, t});
     }
   }
   std::stable_sort(step.book.losses.begin(), step.book.losses.end(),

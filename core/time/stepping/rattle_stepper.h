@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/dynamics/closed_contacts.h"
+#include "core/dynamics/friction.h"
 #include "core/dynamics/gauss.h"
 #include "core/model/scales.h"
 #include "core/time/bookkeeping.h"
@@ -83,13 +84,19 @@ class RattleStepper {
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
             Step& step);
+  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Step& step);
   void fly_half(const Island& island, const IslandSolution& solution, State& state);
   void note_pressed(const Island& island, const IslandSolution& solution);
   void arrive(Step& step, double t);
   void find_touching(Step& step);
   void hit(Step& step);
   void find_components(StepRecord& record);
-  [[nodiscard]] double work(const Blow& blow, const State& end) const;
+  /// Along the normal, and along the side.
+  struct Work {
+    double normal = 0.0;  ///< J
+    double side = 0.0;    ///< J
+  };
+  [[nodiscard]] Work work(const Blow& blow, const State& end) const;
   [[nodiscard]] double closing_speed(const Contact& contact) const;
   [[nodiscard]] bool lasts(const Blow& blow) const;
   [[nodiscard]] double struck_at(const Blow& blow) const;
@@ -105,6 +112,7 @@ class RattleStepper {
 
   const System* system_;
   IslandDynamics dynamics_;
+  FrictionDynamics friction_;
   OverlapRemoval removal_;
   ClosedContacts closed_;
   ContactFinder finder_;

@@ -46,6 +46,9 @@ BodyState way_between(const BodyState& from,
   return state;
 }
 
+/// Velocities of looks are scaled up by no more than this factor.
+constexpr double most_given_back = 1.1;
+
 /// Looks may not depend on other looks.
 MotionSettings without_memory(MotionSettings settings) {
   settings.skips.certificate = false;
@@ -123,12 +126,16 @@ void StepLook::settle_energy(const StepComponent& part,
   double all = 0.0;
   for (const StepLoss& loss : part.losses) {
     all += loss.energy;
-    if (loss.share <= share) goal -= loss.energy;
+    if (loss.friction) {
+      goal -= share * loss.energy;
+    } else if (loss.share <= share) {
+      goal -= loss.energy;
+    }
   }
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
   const RigidMotion kept =
       kept_motion(momentum_of(*system_, state, part.cubes), part.fixed_normals);
-  scale_to_energy(*system_, part.cubes, kept, goal, unbounded, state);
+  scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, state);
 }
 
 State StepLook::at(

@@ -23,6 +23,7 @@ struct StepImpulse {
 struct StepLoss {
   double share = 1.0;
   double energy = 0.0;  ///< J
+  bool friction = false;
 };
 
 /// Cubes that pushed one another, or something fixed.
