@@ -70,28 +70,6 @@ std::string read_file(const std::string& path) {
                                suggestion(source, names)));
 }
 
-/// Says what a scene asks for that the program does not compute, so that nothing is left out
-/// silently.
-void note_what_is_left_out(const Scene& scene, Notes& notes) {
-  bool friction = false;
-  bool restitution = false;
-  const auto look = [&](double mu, double e) {
-    friction = friction || mu > 0.0;
-    restitution = restitution || e > 0.0;
-  };
-  for (const SceneCube& cube : scene.cubes)
-    look(cube.material.friction, cube.material.restitution);
-  for (const ScenePair& pair : scene.pairs)
-    look(pair.friction.value_or(0.0), pair.restitution.value_or(0.0));
-  if (!friction && !restitution) return;
-  notes.add(fmt::format(
-      "the scene asks for {}, which is not computed: contacts are frictionless and impacts "
-      "inelastic",
-      friction && restitution ? "friction and restitution"
-      : friction              ? "friction"
-                              : "restitution"));
-}
-
 SceneText text_of(const std::string& source) {
   if (source == "-") return {"standard input", read_stream(std::cin, "standard input")};
   std::error_code ignored;
@@ -109,14 +87,12 @@ bool is_blank(const std::string& line) {
 
 }  // namespace
 
-Scene parse(const SceneText& text, const std::vector<std::string>& overrides, Notes& notes) {
-  Scene scene = parse_scene(text.text, text.name, overrides);
-  note_what_is_left_out(scene, notes);
-  return scene;
+Scene parse(const SceneText& text, const std::vector<std::string>& overrides) {
+  return parse_scene(text.text, text.name, overrides);
 }
 
-Scene read_scene(const SceneChoice& choice, Notes& notes) {
-  return parse(text_of(choice.source), choice.overrides, notes);
+Scene read_scene(const SceneChoice& choice) {
+  return parse(text_of(choice.source), choice.overrides);
 }
 
 SceneQueue::SceneQueue(std::vector<std::string> sources) : sources_(std::move(sources)) {}

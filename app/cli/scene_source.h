@@ -17,7 +17,7 @@ struct SceneChoice {
 };
 
 /// Throws SceneError. Notes what the scene asks for and the program does not compute.
-Scene read_scene(const SceneChoice& choice, Notes& notes);
+Scene read_scene(const SceneChoice& choice);
 
 /// A scene that has not been read yet.
 struct SceneText {
@@ -25,8 +25,8 @@ struct SceneText {
   std::string text;
 };
 
-/// Throws SceneError. Notes as read_scene does.
-Scene parse(const SceneText& text, const std::vector<std::string>& overrides, Notes& notes);
+/// Throws SceneError.
+Scene parse(const SceneText& text, const std::vector<std::string>& overrides);
 
 /// Scenes one by one. On standard input there may be one JSON scene a line, and no end in sight:
 /// each is handed out as soon as its line is there.

@@ -123,7 +123,7 @@ Action declare_check(Options& options) {
   return [asked](const Stopwatch&) {
     return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
       Notes notes;
-      const Scene scene = parse(text, asked->overrides, notes);
+      const Scene scene = parse(text, asked->overrides);
       const Check answer = check(scene, asked->motion);
       return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
     });

@@ -72,7 +72,8 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   note_idle_picture_options(options, asked.still.picture.layers, notes);
   if (vector_format(lower_case(asked.output)))
     note_idle(options, {"--encoder"}, "for .svg and .pdf", notes);
-  const Scene scene = read_scene(asked.scene, notes);
+  const Scene scene = read_scene(asked.scene);
+  note_what_is_left_out(scene, asked.still.motion.integrator, notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
   TextOutput output(asked.output);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "core/model/system.h"
 
 namespace wuerfel {
 
@@ -30,6 +31,29 @@ void require_effect(const Options& options, const MotionSettings& motion) {
   if (by_events && motion.formulation == Formulation::points)
     refuse("--formulation points", "which moves rigid bodies from event to event",
            "rattle, moreau, symplectic and euler, and in `wuerfel check`");
+}
+
+void note_what_is_left_out(const Scene& scene, Integrator integrator, Notes& notes) {
+  switch (integrator) {
+    case Integrator::automatic:
+    case Integrator::event:
+    case Integrator::rattle:
+      return;
+    case Integrator::moreau:
+    case Integrator::euler:
+    case Integrator::symplectic:
+      break;
+  }
+  const System system = make_system(scene);
+  if (!system.rubs && !system.bounces) return;
+  notes.add(
+      fmt::format("the scene asks for {}, which --integrator {} does not compute: contacts are "
+                  "frictionless and "
+                  "impacts inelastic",
+                  system.rubs && system.bounces ? "friction and restitution"
+                  : system.rubs                 ? "friction"
+                                                : "restitution",
+                  to_string(integrator)));
 }
 
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes) {

@@ -17,6 +17,9 @@ void note_idle(const Options& options,
 /// Throws UsageError where one of the motion options given has no effect with the integrator.
 void require_effect(const Options& options, const MotionSettings& motion);
 
+/// Friction and restitution that a scene asks for and the integrator does not compute.
+void note_what_is_left_out(const Scene& scene, Integrator integrator, Notes& notes);
+
 /// Picture options of layers that are not drawn.
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);
 

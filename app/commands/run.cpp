@@ -99,7 +99,8 @@ Answer answer(const RunOptions& asked,
     throw UsageError("files are written for one scene at a time; for several there is --json");
   Notes notes(asked.quiet);
   note_idle_options(asked, options, notes);
-  const Scene scene = parse(text, asked.overrides, notes);
+  const Scene scene = parse(text, asked.overrides);
+  note_what_is_left_out(scene, asked.motion.integrator, notes);
   return run({asked, scene, make_plan(asked, scene), since_start}, form, notes);
 }
 

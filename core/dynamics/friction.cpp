@@ -84,8 +84,13 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
     restitution.push_back(rate < -slow ? system_->surface(c.on, c.from).restitution : 0.0);
   }
   ImpactResult result;
-  impact_with_restitution(solver_of(island, impacts_), builder_.friction_program(), restitution,
-                          closing, result, keys_of(island));
+  CoulombSolver& solver = solver_of(island, impacts_);
+  if (std::ranges::all_of(restitution, [](double e) { return e == 0.0; })) {
+    solver.solve(builder_.friction_program(), result.solution, keys_of(island));
+  } else {
+    impact_with_restitution(solver, builder_.friction_program(), restitution, closing, result,
+                            keys_of(island));
+  }
   IslandSolution solution = read(state, island, result.solution);
   solution.restitution_factor = result.factor;
   return solution;

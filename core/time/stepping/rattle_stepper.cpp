@@ -275,6 +275,7 @@ void RattleStepper::arrive(Step& step, double t) {
   step.overlap = removal_.left();
   find_touching(step);
   keep_turning(*system_, cleaned_, flown_, step.state);
+  if (system_->bounces) strike_anew(step);
   hit(step);
   step.error = error_of(step.state);
   StepRecord record;
@@ -303,14 +304,32 @@ void RattleStepper::find_touching(Step& step) {
     blows_.emplace(c.id(), Blow{at_poses(*system_, removal_.near().start_boxes(), c), c});
 }
 
+/// What bounces is judged by the speed at which it closes: a blow that the placement has taken it from is left to the
+/// impact law.
+void RattleStepper::strike_anew(Step& step) {
+  std::vector<ContactId> near;
+  for (const Contact& c : contacts_)
+    near.push_back(c.id());
+  std::ranges::sort(near);
+  for (auto& [id, blow] : blows_) {
+    const bool bounces = system_->surface(blow.start.on, blow.start.from).restitution > 0.0;
+    if (!bounces || blow.first.isZero(0.0) || closing_speed(blow.start) <= impact_steps
+        || !std::ranges::binary_search(near, id))
+      continue;
+    push(*system_, blow.start, -blow.first, step.state);
+    blow.first.setZero();
+  }
+}
+
 /// The impact law over all that touches, one island after the other.
 void RattleStepper::hit(Step& step) {
   find_islands(*system_, contacts_, islands_);
   before_ = step.state;
+  const double slow = impact_steps * scales_.gravity * h_;
   for (const Island& island : islands_) {
     if (!closes(*system_, step.state, island)) continue;
-    const IslandSolution after = rubs(*system_, island)
-                                     ? friction_.impact(step.state, island, 0.0)
+    const IslandSolution after = rubs(*system_, island) || bounces(*system_, island)
+                                     ? friction_.impact(step.state, island, slow)
                                      : impact(*system_, step.state, island, dynamics_).after;
     keep_book(after, step.book);
     const double least = after.least_pressing();

@@ -89,6 +89,7 @@ class RattleStepper {
   void note_pressed(const Island& island, const IslandSolution& solution);
   void arrive(Step& step, double t);
   void find_touching(Step& step);
+  void strike_anew(Step& step);
   void hit(Step& step);
   void find_components(StepRecord& record);
   /// Along the normal, and along the side.
