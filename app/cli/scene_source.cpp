@@ -109,8 +109,12 @@ bool is_blank(const std::string& line) {
 
 }  // namespace
 
+Scene parse(const SceneText& text, const std::vector<std::string>& overrides) {
+  return parse_scene(text.text, text.name, overrides);
+}
+
 Scene parse(const SceneText& text, const std::vector<std::string>& overrides, Notes& notes) {
-  Scene scene = parse_scene(text.text, text.name, overrides);
+  Scene scene = parse(text, overrides);
   note_what_is_left_out(scene, notes);
   return scene;
 }

@@ -25,7 +25,9 @@ struct SceneText {
   std::string text;
 };
 
-/// Throws SceneError. Notes as read_scene does.
+/// Throws SceneError.
+Scene parse(const SceneText& text, const std::vector<std::string>& overrides);
+/// The same. Notes as read_scene does.
 Scene parse(const SceneText& text, const std::vector<std::string>& overrides, Notes& notes);
 
 /// Scenes one by one. On standard input there may be one JSON scene a line, and no end in sight:
