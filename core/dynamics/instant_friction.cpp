@@ -12,6 +12,9 @@ namespace {
 /// Shares of the largest acceleration of the program: slip seen in a solution, and what is a fall.
 constexpr double slipping = 1e-9;
 constexpr double falling = 1e-9;
+/// Above this coefficient the rows J_n +- mu J_t of the convex program are so alike that normal parts
+/// lose their digits: what can be held with less is asked first.
+constexpr double strong_friction = 8.0;
 constexpr int newton_factorisations = 8;
 constexpr int most_from_open = 600;  ///< contacts: the path from open is long
 constexpr int seeds_from_open = 3;
@@ -69,6 +72,19 @@ IslandSolution read(const ProgramBuilder& builder,
   solution.twists = builder.twists(state, island, known ? x : program.target);
   if (known) read_forces(builder, x, multiplier, solution);
   return solution;
+}
+
+/// Forces that balance with less friction balance with more, too.
+RestResult find_rest(const FrictionProgram& friction) {
+  const auto strong = [](const FrictionContact& c) { return c.mu > strong_friction; };
+  if (std::ranges::any_of(friction.contacts, strong)) {
+    FrictionProgram weaker = friction;
+    for (FrictionContact& c : weaker.contacts)
+      c.mu = std::min(c.mu, strong_friction);
+    const RestResult rest = RestProgram().solve(weaker);
+    if (rest.equilibrium()) return rest;
+  }
+  return RestProgram().solve(friction);
 }
 
 IslandSolution equilibrium(const ProgramBuilder& builder,
@@ -189,19 +205,28 @@ RubbingAccelerations accelerations_with_friction(const System& system,
   builder.add_friction(state, island, use, Order::acceleration, slides);
   RubbingAccelerations found;
   found.friction.slides = slides;
-  if (still) {
-    const RestResult rest = RestProgram().solve(builder.friction_program());
-    found.friction.equilibrium = rest.equilibrium();
-    found.friction.unrest = rest.size;
-    if (rest.equilibrium()) {
-      found.solution = equilibrium(builder, state, island, rest.multiplier);
-      return found;
-    }
-    if (rest.status == QpStatus::optimal)
-      found.friction.certificate = builder.twists(state, island, rest.acceleration);
+  RestResult rest;
+  if (still) rest = find_rest(builder.friction_program());
+  found.friction.equilibrium = rest.equilibrium();
+  if (rest.equilibrium()) {
+    found.solution = equilibrium(builder, state, island, rest.multiplier);
+    return found;
   }
   found.solution = exact_law(builder, state, island);
   found.friction.jams = found.solution.status == QpStatus::infeasible;
+  if (!still) return found;
+  // Forces that balance are an equilibrium, whatever the convex program has said.
+  if (accelerations_vanish(system, island, found.solution, system.gravity.norm())) {
+    found.friction.equilibrium = true;
+    found.solution.twists.assign(island.cubes.size(), {});
+    return found;
+  }
+  found.friction.unrest = rest.size;
+  if (rest.status == QpStatus::optimal) {
+    found.friction.certificate = builder.twists(state, island, rest.acceleration);
+  } else {
+    found.solution.status = QpStatus::inaccurate;  // what moves may have an equilibrium as well
+  }
   return found;
 }
 
