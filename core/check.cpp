@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/dynamics/forces_at.h"
+#include "core/dynamics/friction.h"
+#include "core/dynamics/impact.h"
 #include "core/model/scales.h"
 #include "core/time/reference/active_restrictions.h"
 #include "core/time/start_state.h"
@@ -25,12 +27,22 @@ double largest_share(const System& system, const State& state, const std::vector
   return e / (g > 0.0 ? g : scales_of(system, state).gravity);
 }
 
+/// The most that an island at rest which has no equilibrium moves in its certificate, as a share of
+/// g.
+double largest_unrest(const InstantForces& found) {
+  double e = 0.0;
+  for (const IslandForces& of : found.islands)
+    if (of.friction && !of.friction->equilibrium) e = std::max(e, of.friction->unrest);
+  return e;
+}
+
 Verdict judge(const System& system, const State& state, const InstantForces& found) {
   const bool moves = std::ranges::any_of(
       state, [](const BodyState& s) { return !s.velocity.isZero(0.0) || s.spin != 0.0; });
   if (moves) return Verdict::moves;
   if (!found.solved) return Verdict::undecided;
-  const double e = largest_share(system, state, found.accelerations);
+  const double e =
+      std::max(largest_share(system, state, found.accelerations), largest_unrest(found));
   if (e <= stands_below) return Verdict::stands;
   return e >= falls_above ? Verdict::falls : Verdict::undecided;
 }
@@ -38,9 +50,67 @@ Verdict judge(const System& system, const State& state, const InstantForces& fou
 void add_contact_forces(const System& system, const IslandForces& of, Check& check) {
   for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
     const Contact& c = of.island.contacts[k];
-    check.contacts.push_back({system.body(c.on).name, system.body(c.from).name, c.point, c.normal,
-                              of.forces.force[k], 0.0, of.forces.unique[k] != 0});
+    check.contacts.push_back(
+        {system.body(c.on).name, system.body(c.from).name, c.point, c.normal, of.forces.force[k],
+         of.forces.tangential.empty() ? 0.0 : of.forces.tangential[k], of.forces.unique[k] != 0});
   }
+}
+
+/// Impacts at the start of islands that rub or bounce.
+void strike(const System& system, const MotionSettings& settings, State& state, Bookkeeping& book) {
+  std::vector<Contact> contacts;
+  ContactFinder().find(system, state, contacts);
+  std::vector<Island> islands;
+  find_islands(system, contacts, islands);
+  const double slow = rate_tolerance * scales_of(system, state).speed;
+  for (const Island& island : islands) {
+    if (!rubs(system, island) && !bounces(system, island)) continue;
+    if (!closes(system, state, island)) continue;
+    const IslandSolution after = FrictionDynamics(system, settings).impact(state, island, slow);
+    keep_book(after, book);
+    set_velocities(island, after.twists, state);
+  }
+}
+
+/// Whether the exact law also has a fall, where an equilibrium exists. `frictionless` is the same
+/// instant without friction.
+bool may_fall(const System& system,
+              const State& state,
+              const InstantForces& found,
+              const InstantForces& frictionless) {
+  for (std::size_t m = 0; m < found.islands.size(); ++m) {
+    const IslandForces& smooth = frictionless.islands[m];
+    if (found.islands[m].friction && !smooth.rests
+        && fall_satisfies_law(system, state, smooth.island, smooth.solution))
+      return true;
+  }
+  return false;
+}
+
+FrictionFacts find_facts(const System& system,
+                         const MotionSettings& settings,
+                         const State& state,
+                         const InstantForces& found,
+                         Verdict verdict) {
+  FrictionFacts facts;
+  if (verdict == Verdict::moves) return facts;
+  facts.equilibrium_exists = verdict == Verdict::stands;
+  System smooth = system;
+  smooth.rubs = false;
+  const InstantForces frictionless = forces_at(smooth, settings, state, Detail::accelerations);
+  facts.stands_without_friction = judge(smooth, state, frictionless) == Verdict::stands;
+  facts.fall_also_possible = facts.equilibrium_exists && !facts.stands_without_friction
+                             && may_fall(system, state, found, frictionless);
+  return facts;
+}
+
+void add_certificate(const System& system, const IslandForces& of, Check& check) {
+  if (!of.friction) return;
+  check.jams = check.jams || of.friction->jams;
+  if (of.friction->certificate.empty()) return;
+  check.certificate.resize(system.cubes);
+  for (std::size_t k = 0; k < of.island.cubes.size(); ++k)
+    check.certificate[of.island.cubes[k]] = of.friction->certificate[k];
 }
 
 }  // namespace
@@ -64,6 +134,7 @@ Check check(const Scene& scene, const MotionSettings& settings) {
   GridPoint start;
   start.state = start_state(scene);
   Bookkeeping impacts;
+  if (system.rubs || system.bounces) strike(system, settings, start.state, impacts);
   ActiveRestrictions(system, settings).find(start, impacts);
   const InstantForces found = forces_at(system, settings, start.state, Detail::uniqueness);
 
@@ -79,8 +150,11 @@ Check check(const Scene& scene, const MotionSettings& settings) {
     check.objective += body.mass * (a.linear - system.gravity).squaredNorm()
                        + body.inertia * a.angular * a.angular;
   }
-  for (const IslandForces& of : found.islands)
+  for (const IslandForces& of : found.islands) {
     add_contact_forces(system, of, check);
+    add_certificate(system, of, check);
+  }
+  if (system.rubs) check.facts = find_facts(system, settings, start.state, found, check.verdict);
   return check;
 }
 

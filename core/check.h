@@ -1,6 +1,7 @@
 /// Stands or falls: the answer of one Gauss program, without simulating.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,12 +25,24 @@ struct ContactForce {
   bool unique = true;           ///< whether no other force at this point is possible
 };
 
+/// Three facts apart, of a scene in which any pair rubs; all false where something moves.
+struct FrictionFacts {
+  bool equilibrium_exists = false;       ///< admissible forces balance all weights
+  bool stands_without_friction = false;  ///< it needs no friction for that
+  bool fall_also_possible = false;       ///< the law has a solution that falls as well
+};
+
 struct Check {
   Verdict verdict = Verdict::undecided;
   std::vector<Twist> accelerations;    ///< m/s^2 and rad/s^2, in the order of Scene::cubes
   std::vector<ContactForce> contacts;  ///< each contact once
   double objective = 0.0;              ///< sum m |a-g|^2 + I alpha^2
   double kkt_residual = 0.0;
+  std::optional<FrictionFacts> facts;
+  /// Where cubes that rub cannot stay at rest: a virtual motion (m/s^2 and rad/s^2, as
+  /// `accelerations`, which it is not) along which no admissible force can hold their weights.
+  std::vector<Twist> certificate;
+  bool jams = false;  ///< no acceleration satisfies Coulomb's law at the start [Painlevé 1895]
 };
 
 /// Throws SceneError where bodies overlap.

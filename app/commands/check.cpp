@@ -41,11 +41,45 @@ Json check_json(const Scene& scene, const Check& answer) {
                         {"tangential", contact.tangential},
                         {"unique", contact.unique}});
   }
-  return {{"verdict", to_string(answer.verdict)},
-          {"accelerations", std::move(accelerations)},
-          {"contacts", std::move(contacts)},
-          {"objective", answer.objective},
-          {"kkt_residual", answer.kkt_residual}};
+  Json json{{"verdict", to_string(answer.verdict)},
+            {"accelerations", std::move(accelerations)},
+            {"contacts", std::move(contacts)}};
+  if (answer.facts) {
+    json["facts"] = {{"equilibrium_exists", answer.facts->equilibrium_exists},
+                     {"stands_without_friction", answer.facts->stands_without_friction},
+                     {"fall_also_possible", answer.facts->fall_also_possible}};
+  }
+  json["objective"] = answer.objective;
+  json["kkt_residual"] = answer.kkt_residual;
+  return json;
+}
+
+// The virtual motion that proves that there is no equilibrium, of the cubes that take part.
+std::string certificate_text(const Scene& scene, const Check& answer) {
+  std::string text =
+      "no equilibrium exists: no force that Coulomb's law allows holds the weight along the "
+      "virtual "
+      "motion\n";
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+    const Twist& a = answer.certificate[i];
+    if (a.linear.isZero(0.0) && a.angular == 0.0) continue;
+    text += fmt::format("  {}: ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n", scene.cubes[i].name,
+                        a.linear.x(), a.linear.y(), a.angular);
+  }
+  return text;
+}
+
+std::string friction_text(const Scene& scene, const Check& answer) {
+  std::string text;
+  if (answer.facts && answer.facts->equilibrium_exists) {
+    text += "an equilibrium exists";
+    if (answer.facts->fall_also_possible) text += "; a fall satisfies the law as well";
+    text += answer.facts->stands_without_friction ? "; it needs no friction\n" : "\n";
+  }
+  if (!answer.certificate.empty()) text += certificate_text(scene, answer);
+  if (answer.jams)
+    text += "no acceleration satisfies Coulomb's law (Painlevé): what slips jams at once\n";
+  return text;
 }
 
 // Who accelerates most, measured as the verdict is: |a| + side |alpha|.
@@ -79,6 +113,7 @@ std::string check_text(const Scene& scene, const Check& answer) {
     text += fastest_text(scene, answer);
   if (answer.verdict == Verdict::moves)
     text += fmt::format("moving at the start: {}\n", moving_at_start(scene));
+  text += friction_text(scene, answer);
   if (!answer.contacts.empty()) {
     text += fmt::format("\n{:<14} {:<14} {:>10} {:>10} {:>12} {:>12}\n", "on", "from", "x / m",
                         "y / m", "force / N", "along / N");
@@ -122,7 +157,6 @@ Action declare_check(Options& options) {
   add_solver_options(options, asked->motion);
   return [asked](const Stopwatch&) {
     return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
-      Notes notes;
       const Scene scene = parse(text, asked->overrides);
       const Check answer = check(scene, asked->motion);
       return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};

@@ -5,6 +5,8 @@
 #include "core/dynamics/programs.h"
 #include "core/dynamics/pull_back.h"
 #include "core/qp/canonical_multipliers.h"
+#include "core/qp/coulomb/canonical_friction.h"
+#include "core/qp/coulomb/coulomb_solver.h"
 
 namespace wuerfel {
 namespace {
@@ -33,6 +35,37 @@ double choose(const QuadraticProgram& program,
   return of_given;
 }
 
+/// Contacts that are not opening.
+std::vector<SideUse> active_sides(const IslandSolution& solution) {
+  std::vector<SideUse> use;
+  for (const double slack : solution.slacks)
+    use.push_back(slack != unbounded ? SideUse::inequality : SideUse::none);
+  return use;
+}
+
+/// The same with friction.
+double choose(const FrictionProgram& friction,
+              const std::vector<double>& x,
+              const std::vector<double>& given,
+              Uniqueness uniqueness,
+              CanonicalForces& least) {
+  CanonicalFriction().find(friction, x, given, uniqueness == Uniqueness::asked, least);
+  const double residual = coulomb_residual(friction, x, least.multiplier).worst();
+  if (residual <= CoulombSettings{}.tolerance) return residual;
+  const double of_given = coulomb_residual(friction, x, given).worst();
+  if (of_given >= residual) return residual;
+  least.multiplier = given;
+  least.unique.assign(friction.contacts.size(), false);
+  return of_given;
+}
+
+std::vector<double> flat(const std::vector<Twist>& twists) {
+  std::vector<double> x;
+  for (const Twist& a : twists)
+    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
+  return x;
+}
+
 }  // namespace
 
 ContactForces canonical_forces(const System& system,
@@ -41,19 +74,14 @@ ContactForces canonical_forces(const System& system,
                                const std::vector<Twist>& accelerations,
                                const IslandSolution& solution,
                                Uniqueness uniqueness) {
-  std::vector<SideUse> use;
+  const std::vector<SideUse> use = active_sides(solution);
   std::vector<double> multiplier;
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const bool active = solution.slacks[k] != unbounded;
-    use.push_back(active ? SideUse::inequality : SideUse::none);
-    if (active) multiplier.push_back(solution.forces[k]);
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (use[k] != SideUse::none) multiplier.push_back(solution.forces[k]);
   }
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
-  std::vector<double> x;
-  for (const Twist& a : accelerations) {
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  }
+  const std::vector<double> x = flat(accelerations);
   LeastNormMultipliers least;
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 0)};
   result.residual = choose(builder.program(), x, multiplier, uniqueness, least);
@@ -70,12 +98,46 @@ ContactForces canonical_forces(const System& system,
   return result;
 }
 
+ContactForces canonical_forces_with_friction(const System& system,
+                                             const State& state,
+                                             const Island& island,
+                                             const std::vector<int>& slides,
+                                             const std::vector<Twist>& accelerations,
+                                             const IslandSolution& solution,
+                                             Uniqueness uniqueness) {
+  const std::vector<SideUse> use = active_sides(solution);
+  ProgramBuilder builder(system, Formulation::rigid);
+  builder.acceleration(state, island, use);
+  builder.add_friction(state, island, use, Order::acceleration, slides);
+  const FrictionProgram friction = builder.friction_program();
+  const std::vector<int>& number = builder.friction_contact();
+  std::vector<double> multiplier(friction.program.rows(), 0.0);
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (number[k] < 0) continue;
+    const FrictionContact& c = friction.contacts[number[k]];
+    multiplier[c.normal] = solution.forces[k];
+    if (c.tangent >= 0) multiplier[c.tangent] = solution.tangential[k];
+  }
+  CanonicalForces least;
+  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1),
+                       std::vector<double>(use.size(), 0.0)};
+  result.residual = choose(friction, flat(accelerations), multiplier, uniqueness, least);
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (number[k] < 0) continue;  // an opening contact has no force
+    const FrictionContact& c = friction.contacts[number[k]];
+    result.force[k] = least.multiplier[c.normal];
+    if (c.tangent >= 0) result.tangential[k] = least.multiplier[c.tangent];
+    result.unique[k] = least.unique[number[k]] ? 1 : 0;
+  }
+  return result;
+}
+
 std::array<double, rods_per_cube> rod_forces(const System& system,
                                              const State& state,
                                              int cube,
                                              const Twist& acceleration,
                                              const std::vector<Contact>& contacts,
-                                             const std::vector<double>& forces) {
+                                             const ContactForces& forces) {
   const Body& body = system.body(cube);
   const BodyState& s = state[cube];
   const CubePoints points = points_of(s, body.size);
@@ -88,14 +150,18 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
     const Vec2 a_k = point_acceleration(acceleration, s.spin, r);
     missing.segment<2>(2 * k) = masses[n].mass * (a_k - system.gravity);
   }
-  for (std::size_t m = 0; m < contacts.size(); ++m) {
-    const Contact& c = contacts[m];
-    const SideRow row = normal_row(system, state, c, Order::velocity);
-    if (c.on == cube) missing.segment<2>(2 * c.corner) -= forces[m] * row.g_k;
+  const auto push = [&](const Contact& c, const SideRow& row, double force) {
+    if (c.on == cube) missing.segment<2>(2 * c.corner) -= force * row.g_k;
     if (c.from == cube) {
-      missing.segment<2>(2 * next_corner(c.side)) -= forces[m] * row.g_i;
-      missing.segment<2>(2 * c.side) -= forces[m] * row.g_j;
+      missing.segment<2>(2 * next_corner(c.side)) -= force * row.g_i;
+      missing.segment<2>(2 * c.side) -= force * row.g_j;
     }
+  };
+  for (std::size_t m = 0; m < contacts.size(); ++m) {
+    push(contacts[m], normal_row(system, state, contacts[m], Order::velocity), forces.force[m]);
+    if (forces.tangential.empty()) continue;
+    push(contacts[m], tangential_row(system, state, contacts[m], Order::velocity),
+         forces.tangential[m]);
   }
   Eigen::Matrix<double, 2 * points_per_cube, rods_per_cube> directions;
   directions.setZero();

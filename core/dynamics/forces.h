@@ -1,7 +1,7 @@
 /// Which forces are shown. Multipliers are forces, but in a hyperstatic stack many multipliers are
 /// optimal (the paper, section 2.3, blames elasticity; the reason is that rigid bodies
 /// over-determine their supports). Shown is the non-negative distribution of least sum of squares
-/// over unit-normal contact forces: the limit of equal, vanishing compliance at every contact. Rod
+/// over unit-normal contact forces: the limit of equal, vanishing compliance at every contact, both ways where it rubs. Rod
 /// forces follow cube by cube and take least squares of their own.
 #pragma once
 
@@ -20,7 +20,11 @@ struct ContactForces {
   std::vector<double> force;  ///< N, >= 0; one per contact of the island, 0 where it is opening
   std::vector<char>
       unique;  ///< whether no other force here gives the same accelerations; all 0 if ignored
-  double residual = 0.0;  ///< QpResidual::worst() of these very forces with the accelerations
+  /// N, along perp(normal) on the body of the corner; empty where nothing rubs.
+  std::vector<double> tangential{};
+  /// QpResidual::worst(), or CoulombResidual::worst() where something rubs, of these very forces with
+  /// the accelerations.
+  double residual = 0.0;
 };
 
 /// Contact forces of least sum of squares that give the accelerations of `solution`, which must be
@@ -34,6 +38,16 @@ ContactForces canonical_forces(const System& system,
                                const IslandSolution& solution,
                                Uniqueness uniqueness);
 
+/// The same of normal and tangential forces together, in an island that rubs; `slides` are the known
+/// directions of slip.
+ContactForces canonical_forces_with_friction(const System& system,
+                                             const State& state,
+                                             const Island& island,
+                                             const std::vector<int>& slides,
+                                             const std::vector<Twist>& accelerations,
+                                             const IslandSolution& solution,
+                                             Uniqueness uniqueness);
+
 /// Tensions (N, tension positive) of the rods of one cube, in the order of cube_rods: least sum of
 /// squares among those that give every point its acceleration under gravity and the contact forces
 /// on the cube.
@@ -42,6 +56,6 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
                                              int cube,
                                              const Twist& acceleration,
                                              const std::vector<Contact>& contacts,
-                                             const std::vector<double>& forces);
+                                             const ContactForces& forces);
 
 }  // namespace wuerfel

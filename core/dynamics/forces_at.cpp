@@ -5,10 +5,16 @@
 #include <cstdint>
 #include <set>
 
+#include "core/dynamics/friction.h"
 #include "core/model/scales.h"
 
 namespace wuerfel {
 namespace {
+
+/// A corner slips that is faster along a side than these shares of max(sqrt(g side), |v|): what
+/// rounding leaves, and what the order of a step leaves between its ends.
+constexpr double slip_dead_zone = 1e-13;
+constexpr double slip_dead_zone_between_steps = 1e-4;
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -137,10 +143,16 @@ void ForceFinder::find_out(IslandForces& of, Detail detail, IslandDynamics& dyna
   }
   of.detail = detail;
   if (detail == Detail::accelerations) return;
-  of.forces =
-      canonical_forces(*system_, felt_, of.island, of.accelerations, of.solution,
-                       detail == Detail::uniqueness ? Uniqueness::asked : Uniqueness::ignored);
+  choose_forces(of, detail == Detail::uniqueness ? Uniqueness::asked : Uniqueness::ignored);
   ++now_.cost.force_choices;
+}
+
+void ForceFinder::choose_forces(IslandForces& of, Uniqueness uniqueness) const {
+  of.forces =
+      of.friction
+          ? canonical_forces_with_friction(*system_, felt_, of.island, of.friction->slides,
+                                           of.accelerations, of.solution, uniqueness)
+          : canonical_forces(*system_, felt_, of.island, of.accelerations, of.solution, uniqueness);
 }
 
 /// Eq. (9) under the contacts that do not open, or that carry load between steps.
@@ -151,10 +163,34 @@ void ForceFinder::accelerate(IslandForces& of, IslandDynamics& dynamics) const {
         contact_motion(*system_, state_, of.island.contacts[k]) == ContactMotion::opening;
     use.push_back(opens && of.loaded[k] == 0 ? SideUse::none : SideUse::inequality);
   }
+  if (rubs(*system_, of.island)) return rub(of, use);
   of.solution = dynamics.accelerations(felt_, of.island, use);
   of.rests = stands_still(of.island, state_)
              && accelerations_vanish(*system_, of.island, of.solution, gravity_);
   of.accelerations = of.rests ? std::vector<Twist>(of.island.cubes.size()) : of.solution.twists;
+}
+
+/// The same with Coulomb's law. Slips are those of the true velocities; between steps they may have
+/// no solution with velocities that are not felt, and are then found from the forces, too.
+void ForceFinder::rub(IslandForces& of, std::span<const SideUse> use) const {
+  const bool between_steps = std::ranges::find(of.loaded, 1) != of.loaded.end();
+  std::vector<int> slides = known_slips(
+      *system_, state_, of.island, between_steps ? slip_dead_zone_between_steps : slip_dead_zone);
+  const auto solve = [&] {
+    const bool still =
+        stands_still(of.island, felt_) && std::ranges::count(slides, 0) == std::ssize(slides);
+    return accelerations_with_friction(*system_, settings_.formulation, felt_, of.island, use,
+                                       slides, still);
+  };
+  RubbingAccelerations found = solve();
+  if (between_steps && found.friction.jams) {
+    slides.assign(slides.size(), 0);
+    found = solve();
+  }
+  of.solution = std::move(found.solution);
+  of.rests = found.friction.equilibrium && stands_still(of.island, state_);
+  of.accelerations = of.solution.twists;
+  of.friction = std::move(found.friction);
 }
 
 void ForceFinder::sum_up(Detail detail) {

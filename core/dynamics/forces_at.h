@@ -3,10 +3,12 @@
 /// was looked at before: programs are solved from nothing.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/dynamics/forces.h"
+#include "core/dynamics/instant_friction.h"
 #include "core/dynamics/look_cost.h"
 
 namespace wuerfel {
@@ -17,9 +19,10 @@ enum class Detail { contacts, accelerations, forces, uniqueness };
 /// Cubes that touch one another, as far as they were asked for.
 struct IslandForces {
   Island island;
-  std::vector<char> loaded;          ///< per contact: known to carry load
-  Detail detail = Detail::contacts;  ///< what of the following is known
-  IslandSolution solution;           ///< of Eq. (9)
+  std::vector<char> loaded;                ///< per contact: known to carry load
+  Detail detail = Detail::contacts;        ///< what of the following is known
+  IslandSolution solution;                 ///< of Eq. (9)
+  std::optional<IslandFriction> friction;  ///< where something rubs, with the solution
   bool rests = false;                ///< certificate: v = 0, and a = 0 is optimal but for rounding
   std::vector<Twist> accelerations;  ///< m/s^2, rad/s^2, per cube of the island; exactly 0 at rest
   ContactForces forces;              ///< those that are shown
@@ -59,6 +62,8 @@ class ForceFinder {
                                   const State& state) const;
   void find_out(IslandForces& of, Detail detail, IslandDynamics& dynamics);
   void accelerate(IslandForces& of, IslandDynamics& dynamics) const;
+  void rub(IslandForces& of, std::span<const SideUse> use) const;
+  void choose_forces(IslandForces& of, Uniqueness uniqueness) const;
   void sum_up(Detail detail);
 
   const System* system_;

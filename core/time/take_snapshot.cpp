@@ -45,6 +45,9 @@ void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot
     const bool on = system.is_cube(c.on) && (carries || !system.is_cube(c.from));
     const Vec2 force = (on ? normal : -normal) * c.normal;
     snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from});
+    if (of.forces.tangential.empty() || of.forces.tangential[k] == 0.0) continue;
+    const Vec2 along = (on ? of.forces.tangential[k] : -of.forces.tangential[k]) * perp(c.normal);
+    snapshot.forces.push_back({c.point, along, ForceKind::friction, on ? c.on : c.from});
   }
 }
 
@@ -63,9 +66,8 @@ void add_rods(const System& system,
     if (with_tension) {
       const IslandForces* of = island_of[cube];
       const Twist& a = found.accelerations[cube];
-      tension = of == nullptr
-                    ? rod_forces(system, state, cube, a, {}, {})
-                    : rod_forces(system, state, cube, a, of->island.contacts, of->forces.force);
+      tension = of == nullptr ? rod_forces(system, state, cube, a, {}, {})
+                              : rod_forces(system, state, cube, a, of->island.contacts, of->forces);
     }
     const CubePoints points = points_of(state[cube], system.body(cube).size);
     for (std::size_t m = 0; m < cube_rods.size(); ++m) {

@@ -26,6 +26,24 @@ SceneCube read_cube(const nlohmann::json& body) {
   return cube;
 }
 
+double number_or_zero(const nlohmann::json& data, const std::string& key) {
+  return data.contains(key) && data.at(key).is_number() ? data.at(key).get<double>() : 0.0;
+}
+
+void set_surfaces(const nlohmann::json& data, Scene& scene) {
+  const Material material{number_or_zero(data, "mu"), number_or_zero(data, "e")};
+  for (SceneCube& cube : scene.cubes)
+    cube.material = material;
+  for (ScenePlane& plane : scene.planes)
+    plane.material = material;
+  for (SceneFixed& fixed : scene.fixed)
+    fixed.material = material;
+  for (const auto& pair : data.value("pair_mu", nlohmann::json::array())) {
+    const auto& bodies = pair.at("bodies");
+    scene.pairs.push_back({{bodies.at(0), bodies.at(1)}, pair.at("mu").get<double>(), {}});
+  }
+}
+
 Scene read_scene(const nlohmann::json& data) {
   Scene scene;
   scene.title = data.at("name");
@@ -45,6 +63,7 @@ Scene read_scene(const nlohmann::json& data) {
                              {}});
     }
   }
+  set_surfaces(data, scene);
   return scene;
 }
 
@@ -92,7 +111,8 @@ std::vector<std::string> reference_case_names(const std::string& kind,
         || std::ranges::any_of(prefixes, [&](const std::string& p) { return stem.starts_with(p); });
     if (entry.path().extension() != ".json" || !wanted) continue;
     const ReferenceCase found = read_reference_case(stem);
-    if (found.kind == kind && !found.data.contains("extension")) names.push_back(stem);
+    const bool plain = kind == "friction" || !found.data.contains("extension");
+    if (found.kind == kind && plain) names.push_back(stem);
   }
   std::ranges::sort(names);
   return names;

@@ -27,7 +27,7 @@ struct ReferenceCase {
 ReferenceCase read_reference_case(const std::string& stem);
 
 /// Names of all cases of a kind whose name starts with one of the prefixes (none: all), in order.
-/// Cases that need friction or restitution are left out.
+/// Cases that need friction or restitution are left out, but where all of that kind do (`friction`).
 std::vector<std::string> reference_case_names(const std::string& kind,
                                               const std::vector<std::string>& prefixes = {});
 

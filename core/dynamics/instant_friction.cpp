@@ -1,0 +1,244 @@
+#include "core/dynamics/instant_friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/qp/coulomb/coulomb_stages.h"
+#include "core/qp/coulomb/rest_program.h"
+
+namespace wuerfel {
+namespace {
+
+/// Shares of the largest acceleration of the program: slip seen in a solution, and what is a fall.
+constexpr double slipping = 1e-9;
+constexpr double falling = 1e-9;
+/// Above this coefficient the rows J_n +- mu J_t of the convex program are so alike that normal parts
+/// lose their digits: what can be held with less is asked first.
+constexpr double strong_friction = 8.0;
+constexpr int newton_factorisations = 8;
+constexpr int most_from_open = 600;  ///< contacts: the path from open is long
+constexpr int seeds_from_open = 3;
+
+double row_value(const SideRow& row, const ContactVelocity& v) {
+  return row.g_i.dot(v.v_i) + row.g_j.dot(v.v_j) + row.g_k.dot(v.v_k) + row.c;
+}
+
+/// J x - b
+double slack(const QuadraticProgram& program, int row, const std::vector<double>& x) {
+  double sum = -program.bound[row];
+  for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
+    const std::span<const double> g = program.entry(e);
+    for (int k = 0; k < program.block_size; ++k)
+      sum += g[k] * x[program.entry_block[e] * program.block_size + k];
+  }
+  return sum;
+}
+
+std::vector<double> flat(const std::vector<Twist>& twists) {
+  std::vector<double> x;
+  for (const Twist& a : twists)
+    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
+  return x;
+}
+
+void read_forces(const ProgramBuilder& builder,
+                 const std::vector<double>& x,
+                 const std::vector<double>& multiplier,
+                 IslandSolution& solution) {
+  const FrictionProgram friction = builder.friction_program();
+  for (std::size_t k = 0; k < solution.forces.size(); ++k) {
+    const int n = builder.friction_contact()[k];
+    if (n < 0) continue;
+    const FrictionContact& contact = friction.contacts[n];
+    solution.forces[k] = multiplier[contact.normal];
+    if (contact.tangent >= 0) solution.tangential[k] = multiplier[contact.tangent];
+    solution.slacks[k] = slack(friction.program, contact.normal, x);
+  }
+}
+
+/// Of a point x of the builder's program; of none, free fall without forces.
+IslandSolution read(const ProgramBuilder& builder,
+                    const State& state,
+                    const Island& island,
+                    const std::vector<double>& x,
+                    const std::vector<double>& multiplier) {
+  const QuadraticProgram& program = builder.program();
+  IslandSolution solution;
+  const std::size_t contacts = island.contacts.size();
+  solution.forces.assign(contacts, 0.0);
+  solution.tangential.assign(contacts, 0.0);
+  solution.slacks.assign(contacts, unbounded);
+  const bool known = static_cast<int>(x.size()) == program.unknowns();
+  solution.twists = builder.twists(state, island, known ? x : program.target);
+  if (known) read_forces(builder, x, multiplier, solution);
+  return solution;
+}
+
+/// Forces that balance with less friction balance with more, too.
+RestResult find_rest(const FrictionProgram& friction) {
+  const auto strong = [](const FrictionContact& c) { return c.mu > strong_friction; };
+  if (std::ranges::any_of(friction.contacts, strong)) {
+    FrictionProgram weaker = friction;
+    for (FrictionContact& c : weaker.contacts)
+      c.mu = std::min(c.mu, strong_friction);
+    const RestResult rest = RestProgram().solve(weaker);
+    if (rest.equilibrium()) return rest;
+  }
+  return RestProgram().solve(friction);
+}
+
+IslandSolution equilibrium(const ProgramBuilder& builder,
+                           const State& state,
+                           const Island& island,
+                           const std::vector<double>& multiplier) {
+  const std::vector<double> zero(builder.program().unknowns(), 0.0);
+  IslandSolution solution = read(builder, state, island, zero, multiplier);
+  solution.twists.assign(island.cubes.size(), {});
+  solution.residual = coulomb_residual(builder.friction_program(), zero, multiplier).worst();
+  solution.status =
+      solution.residual <= CoulombSettings{}.tolerance ? QpStatus::optimal : QpStatus::inaccurate;
+  return solution;
+}
+
+IslandSolution exact_law(const ProgramBuilder& builder, const State& state, const Island& island) {
+  CoulombResult result;
+  CoulombSolver().solve(builder.friction_program(), result);
+  IslandSolution solution = read(builder, state, island, result.x, result.multiplier);
+  solution.status = result.status;
+  solution.residual = result.residual.worst();
+  solution.friction_inexact = result.inexact();
+  solution.iterations = result.factorisations;
+  return solution;
+}
+
+/// The multipliers that the law has at the contacts' forces of another solution and its slips.
+std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSolution& of) {
+  const FrictionProgram friction = builder.friction_program();
+  const std::vector<double> x = flat(of.twists);
+  const double scale = CoulombJudge().measure_scales(friction.program).velocity;
+  std::vector<double> multiplier(friction.program.rows(), 0.0);
+  for (std::size_t k = 0; k < of.forces.size(); ++k) {
+    const int n = builder.friction_contact()[k];
+    if (n < 0) continue;
+    const FrictionContact& contact = friction.contacts[n];
+    multiplier[contact.normal] = std::max(0.0, of.forces[k]);
+    if (contact.tangent < 0) continue;
+    const double ut = slack(friction.program, contact.tangent, x);
+    if (std::abs(ut) > slipping * scale)
+      multiplier[contact.tangent] = std::copysign(contact.mu * multiplier[contact.normal], -ut);
+  }
+  return multiplier;
+}
+
+/// Looks for solutions of one program that are not zero.
+class FallSearch {
+ public:
+  FallSearch(const FrictionProgram& friction, const std::vector<double>& start)
+      : friction_(friction), start_(start), stages_(CoulombSettings{}) {
+    stages_.prepare(friction_);
+    scale_ = CoulombJudge().measure_scales(friction_.program).velocity;
+  }
+
+  [[nodiscard]] bool found() {
+    const auto newton = [&](CoulombResult& r) {
+      return stages_.newton(friction_, newton_factorisations, r);
+    };
+    const auto path = [&](PathStart start, std::uint64_t seed) {
+      return [this, start, seed](CoulombResult& r) {
+        return stages_.follow(friction_, start, seed, Pivoting::none, r);
+      };
+    };
+    if (falls(newton) || falls(path(PathStart::here, friction_.contacts.size()))) return true;
+    if (friction_.contacts.size() > most_from_open) return false;
+    for (int k = 0; k < seeds_from_open; ++k)
+      if (falls(path(PathStart::open, friction_.contacts.size() + k))) return true;
+    return false;
+  }
+
+ private:
+  /// Whether a stage, begun at the start, ends in a solution that is a fall.
+  template <class Stage>
+  bool falls(const Stage& stage) {
+    CoulombResult result;
+    result.residual.stationarity = unbounded;
+    stages_.modes.resize(stages_.form().count());
+    stages_.point.reset(stages_.form());
+    stages_.take(start_);
+    if (!stage(result)) return false;
+    return std::ranges::any_of(result.x, [&](double a) { return std::abs(a) > falling * scale_; });
+  }
+
+  const FrictionProgram friction_;
+  const std::vector<double> start_;
+  CoulombStages stages_;
+  double scale_ = 0.0;  ///< m/s^2
+};
+
+}  // namespace
+
+std::vector<int> known_slips(const System& system,
+                             const State& state,
+                             const Island& island,
+                             double dead_zone) {
+  std::vector<int> slides(island.contacts.size(), 0);
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (system.surface(c.on, c.from).friction == 0.0) continue;
+    const ContactVelocity v = contact_velocity(system, state, c);
+    const double slip = row_value(tangential_row(system, state, c, Order::velocity), v);
+    const double speed = std::max({std::sqrt(system.gravity.norm() * contact_scale(system, c)),
+                                   v.v_k.norm(), v.v_i.norm(), v.v_j.norm()});
+    if (std::abs(slip) > dead_zone * speed) slides[k] = slip > 0.0 ? 1 : -1;
+  }
+  return slides;
+}
+
+RubbingAccelerations accelerations_with_friction(const System& system,
+                                                 Formulation formulation,
+                                                 const State& state,
+                                                 const Island& island,
+                                                 std::span<const SideUse> use,
+                                                 const std::vector<int>& slides,
+                                                 bool still) {
+  ProgramBuilder builder(system, formulation);
+  builder.acceleration(state, island, use);
+  builder.add_friction(state, island, use, Order::acceleration, slides);
+  RubbingAccelerations found;
+  found.friction.slides = slides;
+  RestResult rest;
+  if (still) rest = find_rest(builder.friction_program());
+  found.friction.equilibrium = rest.equilibrium();
+  if (rest.equilibrium()) {
+    found.solution = equilibrium(builder, state, island, rest.multiplier);
+    return found;
+  }
+  found.solution = exact_law(builder, state, island);
+  found.friction.jams = found.solution.status == QpStatus::infeasible;
+  if (!still) return found;
+  // Forces that balance are an equilibrium, whatever the convex program has said.
+  if (accelerations_vanish(system, island, found.solution, system.gravity.norm())) {
+    found.friction.equilibrium = true;
+    found.solution.twists.assign(island.cubes.size(), {});
+    return found;
+  }
+  found.friction.unrest = rest.size;
+  if (rest.status == QpStatus::optimal) {
+    found.friction.certificate = builder.twists(state, island, rest.acceleration);
+  } else {
+    found.solution.status = QpStatus::inaccurate;  // what moves may have an equilibrium as well
+  }
+  return found;
+}
+
+bool fall_satisfies_law(const System& system,
+                        const State& state,
+                        const Island& island,
+                        const IslandSolution& frictionless) {
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  ProgramBuilder builder(system, Formulation::rigid);
+  builder.acceleration(state, island, use);
+  builder.add_friction(state, island, use, Order::acceleration);
+  return FallSearch(builder.friction_program(), with_slips(builder, frictionless)).found();
+}
+
+}  // namespace wuerfel
