@@ -1,10 +1,15 @@
 #include "core/time/take_snapshot.h"
 
+#include <cmath>
+
 #include "core/constraints/manifold.h"
 #include "core/constraints/side.h"
 
 namespace wuerfel {
 namespace {
+
+constexpr double rounding =
+    1e-12;  ///< of a contact's force along the side, as a share of the other
 
 void add_bodies(const Scene& scene, const System& system, const State& state, Snapshot& snapshot) {
   for (int i = 0; i < system.count(); ++i) {
@@ -45,8 +50,10 @@ void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot
     const bool on = system.is_cube(c.on) && (carries || !system.is_cube(c.from));
     const Vec2 force = (on ? normal : -normal) * c.normal;
     snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from});
-    if (of.forces.tangential.empty() || of.forces.tangential[k] == 0.0) continue;
-    const Vec2 along = (on ? of.forces.tangential[k] : -of.forces.tangential[k]) * perp(c.normal);
+    if (of.forces.tangential.empty()) continue;
+    const double tangential = of.forces.tangential[k];
+    if (std::abs(tangential) <= rounding * normal) continue;
+    const Vec2 along = (on ? tangential : -tangential) * perp(c.normal);
     snapshot.forces.push_back({c.point, along, ForceKind::friction, on ? c.on : c.from});
   }
 }

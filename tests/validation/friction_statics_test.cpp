@@ -1,6 +1,8 @@
 // Verdicts, facts, accelerations and forces with friction against exact answers and symmetries.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +78,15 @@ void expect_cones(const Scene& scene, const Check& answer, double largest) {
     EXPECT_GE(c.force, 0.0);
     EXPECT_LE(std::abs(c.tangential), mu * c.force + 1e-9 * largest);
   }
+}
+
+double largest_force(const Scene& scene, const Check& answer) {
+  double largest = 0.0;
+  for (const SceneCube& c : scene.cubes)
+    largest += c.mass * g;
+  for (const ContactForce& c : answer.contacts)
+    largest = std::max(largest, c.force);
+  return largest;
 }
 
 double sum_of(const Check& answer, double ContactForce::*part) {
@@ -157,9 +168,7 @@ class FrictionStatics : public testing::TestWithParam<std::tuple<std::string, Fo
 TEST_P(FrictionStatics, AgreesWithTheExactAnswer) {
   const ReferenceCase reference = read_reference_case(std::get<0>(GetParam()));
   const Check answer = check_as(reference.scene, std::get<1>(GetParam()));
-  double largest = reference.weight();
-  for (const ContactForce& c : answer.contacts)
-    largest = std::max(largest, c.force);
+  const double largest = largest_force(reference.scene, answer);
   EXPECT_LE(answer.kkt_residual, 1e-10);
   expect_balance(reference.scene, answer, largest);
   expect_cones(reference.scene, answer, largest);
@@ -228,33 +237,87 @@ TEST(FrictionThresholds, BeyondPainleveThereIsNoAcceleration) {
   }
 }
 
+/// The velocity of a body's point in a virtual motion.
+Vec2 velocity_in(const Scene& scene,
+                 const std::vector<Twist>& motion,
+                 const std::string& body,
+                 const Vec2& point,
+                 const std::vector<Vec2>& centres) {
+  const SceneCube* c = find_cube(scene, body);
+  if (c == nullptr) return Vec2::Zero();
+  const auto i = c - scene.cubes.data();
+  return motion[i].linear + motion[i].angular * perp(point - centres[i]);
+}
+
 // No admissible force has negative power along it: J_n a >= mu |J_t a|; that of the weight is > 0.
+void expect_proof_of_fall(const Scene& scene, const Check& answer) {
+  ASSERT_EQ(answer.certificate.size(), scene.cubes.size());
+  double power = 0.0;
+  double size = 0.0;
+  std::vector<Vec2> centres;
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+    centres.push_back(scene.cubes[i].position);
+    power += scene.cubes[i].mass * scene.gravity.dot(answer.certificate[i].linear);
+    size = std::max(size, answer.certificate[i].linear.norm());
+  }
+  EXPECT_GT(power, 0.0);
+  for (const ContactForce& c : answer.contacts) {
+    const double mu = std::sqrt(mu_of(scene, c.on) * mu_of(scene, c.from));
+    const Vec2 u = velocity_in(scene, answer.certificate, c.on, c.point, centres)
+                   - velocity_in(scene, answer.certificate, c.from, c.point, centres);
+    EXPECT_GE(c.normal.dot(u) - mu * std::abs(perp(c.normal).dot(u)), -1e-7 * size);
+  }
+}
+
 TEST(FrictionCertificate, ProvesThatThereIsNoEquilibrium) {
   for (const std::string name : {"friction_incline_slip", "friction_ladder_slides", "friction_tip",
                                  "friction_bridge_falls", "friction_slide_not_tip"}) {
-    const ReferenceCase reference = read_reference_case(name);
-    const Scene& scene = reference.scene;
-    const Check answer = check_as(scene);
-    ASSERT_EQ(answer.certificate.size(), scene.cubes.size()) << name;
-    double power = 0.0;
-    double size = 0.0;
-    for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
-      power += scene.cubes[i].mass * scene.gravity.dot(answer.certificate[i].linear);
-      size = std::max(size, answer.certificate[i].linear.norm());
-    }
-    EXPECT_GT(power, 0.0) << name;
-    const auto velocity = [&](const std::string& body, const Vec2& point) -> Vec2 {
-      const SceneCube* c = find_cube(scene, body);
-      if (c == nullptr) return Vec2::Zero();
-      const Twist& a = answer.certificate[c - scene.cubes.data()];
-      return a.linear + a.angular * perp(point - c->position);
-    };
-    for (const ContactForce& c : answer.contacts) {
-      const double mu = std::sqrt(mu_of(scene, c.on) * mu_of(scene, c.from));
-      const Vec2 u = velocity(c.on, c.point) - velocity(c.from, c.point);
-      EXPECT_GE(c.normal.dot(u) - mu * std::abs(perp(c.normal).dot(u)), -1e-7 * size) << name;
-    }
+    SCOPED_TRACE(name);
+    const Scene scene = read_reference_case(name).scene;
+    expect_proof_of_fall(scene, check_as(scene));
   }
+}
+
+/// Cubes upon one another on a slope, with the axes turned instead of the slope.
+Scene random_stack(std::mt19937& dice) {
+  const auto between = [&dice](double low, double high) {
+    return low + (high - low) * static_cast<double>(dice()) / 4294967296.0;
+  };
+  std::vector<SceneCube> cubes;
+  double height = 0.0;
+  double x = 0.0;
+  const int count = 1 + static_cast<int>(dice() % 6);
+  for (int i = 0; i < count; ++i) {
+    const Vec2 size(between(0.5, 2.0), between(0.3, 1.5));
+    x += between(-0.3, 0.3);
+    cubes.push_back(sized_cube("c" + std::to_string(i), Vec2(x, height + 0.5 * size.y()), size));
+    cubes.back().mass = std::exp(between(-2.0, 2.0));
+    height += size.y();
+  }
+  Scene scene = with_friction(on_floor(std::move(cubes)), std::exp(between(-3.0, 1.0)));
+  const double slope = between(-0.5, 0.5);
+  scene.gravity = g * Vec2(std::sin(slope), -std::cos(slope));
+  return scene;
+}
+
+TEST(FrictionCertificate, EveryVerdictIsProven) {
+  std::mt19937 dice(7);
+  std::array<int, 2> of_kind{};
+  for (int k = 0; k < 300; ++k) {
+    SCOPED_TRACE(k);
+    const Scene scene = random_stack(dice);
+    const Check answer = check_as(scene);
+    const bool stands = answer.verdict == Verdict::stands;
+    EXPECT_NE(answer.verdict, Verdict::undecided);
+    EXPECT_LE(answer.kkt_residual, 1e-10);
+    const double largest = largest_force(scene, answer);
+    expect_balance(scene, answer, largest);
+    expect_cones(scene, answer, largest);
+    if (!stands) expect_proof_of_fall(scene, answer);
+    ++of_kind[stands ? 1 : 0];
+  }
+  EXPECT_GT(of_kind[0], 50);
+  EXPECT_GT(of_kind[1], 50);
 }
 
 Scene mirrored(Scene scene) {

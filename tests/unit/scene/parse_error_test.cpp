@@ -92,6 +92,12 @@ TEST(ParseError, SizesAndMassesMustBePositive) {
 TEST(ParseError, ValuesStayWithinTheirRange) {
   EXPECT_EQ(with_cube("friction = -0.1"),
             "s.toml:3:12: cube[1].friction: must not be negative; it is -0.1");
+  EXPECT_EQ(with_cube("friction = inf"),
+            "s.toml:3:12: cube[1].friction: must be a finite number, not inf");
+  EXPECT_EQ(toml_error("[material]\nfriction = nan\n" + std::string(cube)),
+            "s.toml:2:12: material.friction: must be a finite number, not nan");
+  EXPECT_EQ(with_cube("restitution = nan"),
+            "s.toml:3:15: cube[1].restitution: must be a finite number, not nan");
   EXPECT_EQ(with_cube("restitution = 1.5"),
             "s.toml:3:15: cube[1].restitution: must be between 0 and 1; it is 1.5");
   EXPECT_EQ(toml_error("[material]\nrestitution = -1\n" + std::string(cube)),
