@@ -28,6 +28,7 @@ struct Contact {
   int corner = 0;              ///< number of p_k in `on`
   int side = 0;                ///< number of the side in `from`; 0 for a plane
   double gap = 0.0;            ///< m, negative inside
+  double slip = 0.0;           ///< m, already slid along perp(normal) when a placement begins
   double alpha = 0.0;          ///< Eq. (5)
   double length = 1.0;         ///< m, |p_j - p_i|
   Vec2 point = Vec2::Zero();   ///< m, p_k
@@ -51,6 +52,9 @@ ContactVelocity contact_velocity(const System& system, const State& state, const
 
 /// Rate of the gap, m/s: Eq. (6) with the unit normal.
 double gap_rate(const Contact& contact, const ContactVelocity& velocity);
+
+/// What counts as zero of the rates of a contact, m/s.
+double zero_rate(const System& system, const Contact& contact, const ContactVelocity& velocity);
 
 enum class ContactMotion { closing, resting, opening };
 

@@ -28,7 +28,15 @@ SideRow tangential_row(const System& system, const State& state, const Contact& 
     const ContactVelocity v = contact_velocity(system, state, c);
     row = side_tangent_acceleration_row(c.arm_i, c.arm_j, c.alpha, v.v_i, v.v_j, v.v_k);
   }
-  return scaled(row, 1.0 / c.length);
+  row = scaled(row, 1.0 / c.length);
+  if (order == Order::position) row.c = c.slip;
+  return row;
+}
+
+double slip_rate(const System& system, const State& state, const Contact& c) {
+  const ContactVelocity v = contact_velocity(system, state, c);
+  const SideRow row = tangential_row(system, state, c, Order::velocity);
+  return row.g_i.dot(v.v_i) + row.g_j.dot(v.v_j) + row.g_k.dot(v.v_k);
 }
 
 ContactRow pull_back(const System& system,

@@ -6,6 +6,7 @@
 
 #include "core/dynamics/gauss.h"
 #include "core/qp/coulomb/coulomb_solver.h"
+#include "core/qp/coulomb/rest_program.h"
 
 namespace wuerfel {
 
@@ -19,10 +20,19 @@ class FrictionDynamics {
  public:
   FrictionDynamics(const System& system, const MotionSettings& settings);
 
+  /// Accelerations and forces under the contacts that `use` says, one entry per contact. `slides`:
+  /// known directions of slip, else 0. May be infeasible where some are known (Painleve).
+  IslandSolution accelerations(const State& state,
+                               const Island& island,
+                               std::span<const SideUse> use,
+                               std::span<const int> slides);
   /// Velocities after all contacts of the island have hit at once, and their impulses: Coulomb's law
   /// and Newton's law of restitution on total impulses [Glocker 2013]. Velocities below `slow` (m/s)
   /// do not bounce.
   IslandSolution impact(const State& state, const Island& island, double slow);
+  /// Whether the island can stay at rest where it is: an equilibrium exists [friction's cone is the
+  /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
+  bool rests(const State& still, const Island& island);
   /// Displacements from `state` nearest to `targets` (one per cube, m and rad) under Coulomb's law
   /// in displacements: no gap below zero, friction against the way that a corner slides.
   IslandSolution placement(const State& state,
@@ -39,6 +49,8 @@ class FrictionDynamics {
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
+  RestProgram rest_;
+  Solvers accelerations_;
   Solvers impacts_;
   Solvers placements_;
 };

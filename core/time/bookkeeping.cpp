@@ -15,6 +15,9 @@ void add_audit(const Audit& more, Audit& audit) {
   audit.unresolved += more.unresolved;
   audit.searches_given_up += more.searches_given_up;
   audit.wedged += more.wedged;
+  audit.friction_inexact += more.friction_inexact;
+  audit.friction_residual = std::max(audit.friction_residual, more.friction_residual);
+  audit.restitution_reduced += more.restitution_reduced;
 }
 
 }  // namespace
@@ -33,6 +36,8 @@ std::string_view to_string(EventKind kind) {
       return "stick";
     case EventKind::slip:
       return "slip";
+    case EventKind::jam:
+      return "jam";
     case EventKind::rest:
       return "rest";
   }
@@ -69,6 +74,12 @@ void keep_book(const IslandSolution& solution, Bookkeeping& book) {
     ++book.audit.wedged;
     return;
   }
+  if (solution.friction_inexact) {
+    ++book.audit.friction_inexact;
+    book.audit.friction_residual = std::max(book.audit.friction_residual, solution.residual);
+    return;
+  }
+  if (solution.restitution_factor < 1.0) ++book.audit.restitution_reduced;
   const bool answered =
       solution.status == QpStatus::optimal || solution.status == QpStatus::inaccurate;
   const double residual = answered ? solution.residual : unbounded;

@@ -11,7 +11,7 @@ namespace wuerfel {
 
 struct IslandSolution;
 
-enum class EventKind { impact, touch, release, slide_off, stick, slip, rest };
+enum class EventKind { impact, touch, release, slide_off, stick, slip, jam, rest };
 std::string_view to_string(EventKind kind);
 
 /// Something that happened at one instant.
@@ -24,10 +24,12 @@ struct Event {
   double impulse = 0.0;       ///< N s
 };
 
-/// Energy that impacts took at one instant.
+/// Energy that an impact took at one instant, or friction evenly up to it.
 struct Loss {
-  double t = 0.0;       ///< s
-  double energy = 0.0;  ///< J
+  double t = 0.0;         ///< s
+  double energy = 0.0;    ///< J
+  bool friction = false;  ///< taken by friction
+  double since = 0.0;     ///< s, of friction
 };
 
 /// Invariants kept book of in every run.
@@ -45,6 +47,9 @@ struct Audit {
   /// Programs without any solution, and accelerations that no step can follow: cubes wedged by
   /// their turning.
   long wedged = 0;
+  long friction_inexact = 0;       ///< programs in which Coulomb's law was missed
+  double friction_residual = 0.0;  ///< the worst residual of Coulomb's law
+  long restitution_reduced = 0;    ///< impacts whose coefficients had to be scaled back
   double drift_budget = 0.0;   ///< J, what the tolerance promises of |drift()|; 0 where it promises
                                ///< nothing (stepping)
   double energy_start = 0.0;   ///< J

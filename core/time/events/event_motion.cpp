@@ -10,8 +10,9 @@ namespace {
 
 /// Smooth phases are integrated to this share of the tolerance that the user asked for.
 constexpr double inner_share = 0.01;
-/// A load that starts below this share of the weight is watched from where it has left zero.
-constexpr double zero_force = 1e-11;
+/// A load that starts below this share of the weight, or a slip below this share of V, is watched
+/// from where it has left zero.
+constexpr double zero_load = 1e-11;
 /// Events closer than this share of L / V are at one instant; so many of them in a row let time
 /// pass by force, by this share.
 constexpr double instant_share = 1e-13;
@@ -86,6 +87,11 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   note_step(step, forced, book);
   pieces.push_back(last_piece());
   clock_ += step.elapsed;
+  // Nothing else takes energy between events.
+  if (phase_.equations().slips()) {
+    const double rubbed = energy(*system_, state()) - energy(*system_, step.end);
+    book.losses.push_back({clock_, rubbed, true});
+  }
   if (event) {
     ++events_;
     const bool instant = step.elapsed <= instant_share * phase_.scales().time;
@@ -112,9 +118,9 @@ void EventMotion::begin_phase(const State& state,
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot.
   const double loss = energy_before - energy(*system_, phase_.state());
-  if (loss > 0.0) book.losses.push_back({clock_, loss});
+  if (loss > 0.0) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
-  forces_.begin(phase_, zero_force * phase_.scales().weight);
+  forces_.begin(phase_, zero_load);
 }
 
 /// The first event within a step.
@@ -167,7 +173,7 @@ void EventMotion::reach(const FirstEvent& event) {
 MotionPiece EventMotion::last_piece() const {
   const SmoothStep& step = phase_.last();
   return {MotionPiece::Kind::smooth,     clock_, step.length, phase_.state(), step.motion,
-          phase_.equations().contacts(), {}};
+          phase_.equations().contacts(), {}, phase_.equations().touches()};
 }
 
 /// The phase that the last step ends, its contacts as they are there.
@@ -182,7 +188,7 @@ State EventMotion::look(const MotionPiece& piece, double t) {
   if (t <= piece.begin) return state;
   look_at(piece.motion, (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty()) {
-    looker_.close(piece.closed, {});
+    looker_.close(piece.closed, {}, piece.touches);
     looker_.project_positions(state);
     looker_.project_velocities(state);
   }
