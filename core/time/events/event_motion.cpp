@@ -26,12 +26,27 @@ constexpr double trusted_share = 0.01;
 constexpr int most_corrections = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double difference_share = 1e-6;
+/// What is left of bouncing when a contact no longer bounces takes less than this share of L / V.
+constexpr double longest_tail = 0.05;
+
+/// Names of the pairs that stay in touch, in order.
+std::vector<BounceSeries::NamePair> closed_pairs(const System& system,
+                                                 const std::vector<Touch>& touches) {
+  std::vector<BounceSeries::NamePair> pairs;
+  for (const Touch& touch : touches)
+    pairs.emplace_back(std::minmax(system.body(touch.on).name, system.body(touch.from).name));
+  std::ranges::sort(pairs);
+  return pairs;
+}
 
 void note_instant(const Instant& now, Bookkeeping& book) {
   note_overlap(now.deepest.depth, now.deepest.scale, book.audit);
   book.cost.skipped_rest += now.skipped_rest;
   book.cost.skipped_free += now.skipped_free;
-  book.events.insert(book.events.end(), now.events.begin(), now.events.end());
+  for (const Event& e : now.events) {
+    const auto later = std::ranges::upper_bound(book.events, e.t, {}, &Event::t);
+    book.events.insert(later, e);
+  }
 }
 
 /// Books a step: `forced` where there were events without end at one instant.
@@ -90,13 +105,13 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   // Nothing else takes energy between events.
   if (phase_.equations().slips()) {
     const double rubbed = energy(*system_, state()) - energy(*system_, step.end);
-    book.losses.push_back({clock_, rubbed, true});
+    book.losses.push_back({clock_, rubbed, true, clock_ - step.elapsed});
   }
   if (event) {
-    ++events_;
     const bool instant = step.elapsed <= instant_share * phase_.scales().time;
     instant_events_ = instant ? instant_events_ + 1 : 0;
     begin_phase(State(step.end), ended_phase(), {}, book);
+    if (!series_.goes_on()) ++events_;
   } else {
     instant_events_ = 0;
     phase_.go_on();
@@ -112,6 +127,8 @@ void EventMotion::begin_phase(const State& state,
                               Bookkeeping& book) {
   const double energy_before = energy(*system_, state);
   Instant now = happen(state, clock_, before, limits, work_);
+  series_.note(now.events, closed_pairs(*system_, now.modes.closed.touches),
+               longest_tail * scales_of(*system_, state).time);
   note_instant(now, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
