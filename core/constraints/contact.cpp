@@ -69,11 +69,15 @@ double contact_scale(const System& system, const Contact& contact) {
   return std::min(system.body(contact.on).smaller_side(), system.body(contact.from).smaller_side());
 }
 
-ContactMotion contact_motion(const System& system, const State& state, const Contact& contact) {
-  const ContactVelocity v = contact_velocity(system, state, contact);
+double zero_rate(const System& system, const Contact& contact, const ContactVelocity& v) {
   const double speed = std::max({v.v_i.norm(), v.v_j.norm(), v.v_k.norm()});
   const double fall = std::sqrt(system.gravity.norm() * contact_scale(system, contact));
-  const double zero = rate_tolerance * std::max(fall, speed);
+  return rate_tolerance * std::max(fall, speed);
+}
+
+ContactMotion contact_motion(const System& system, const State& state, const Contact& contact) {
+  const ContactVelocity v = contact_velocity(system, state, contact);
+  const double zero = zero_rate(system, contact, v);
   const double rate = gap_rate(contact, v);
   if (rate < -zero) return ContactMotion::closing;
   return rate <= zero ? ContactMotion::resting : ContactMotion::opening;

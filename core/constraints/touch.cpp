@@ -32,6 +32,11 @@ Interval overlap_of(const Touch& touch, std::span<const Contact> contacts) {
   return {std::max(0.0, std::min(s_1, s_2)), std::min(c.length, std::max(s_1, s_2))};
 }
 
+double place_along(const System& system, const Contact& contact) {
+  const bool on_plane = system.body(contact.from).kind == BodyKind::plane;
+  return on_plane ? perp(contact.normal).dot(contact.point) : -along_side(contact);
+}
+
 void find_loads(std::span<const Touch> touches,
                 std::span<const Contact> contacts,
                 std::span<const double> forces,

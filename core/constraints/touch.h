@@ -46,6 +46,11 @@ struct Touch {
   Interval overlap;    ///< of the side, when it was found; a plane has no ends: zero
   double scale = 1.0;  ///< m, by which tolerances are measured: the smaller side of the two bodies
   Material surface;
+  /// Coulomb's law between events, of closed touches that rub: they stick, or slip in a known
+  /// direction, +1 or -1 along perp(normal), seen from the side.
+  bool sticks = false;
+  int slips = 0;
+  double anchor = 0.0;  ///< m, place_along where it sticks
 
   [[nodiscard]] IndexPair pair() const { return std::minmax(on, from); }
 };
@@ -53,6 +58,10 @@ struct Touch {
 /// The part of the side on which a touch of closed contacts bears, as the contacts are now: the
 /// overlap of flush sides; at a corner both ends are its foot.
 Interval overlap_of(const Touch& touch, std::span<const Contact> contacts);
+
+/// Where the corner of a contact is along perp(normal), m, seen from the side: on the side, or from
+/// the origin on a plane, which has no ends.
+double place_along(const System& system, const Contact& contact);
 
 /// Loads of closed touches, from the forces (N) of all contacts: what must stay positive for them
 /// to stay closed. One for each contact at a corner or on a plane; where sides are flush two, at

@@ -7,7 +7,10 @@ namespace wuerfel {
 ClosedContacts::ClosedContacts(const System& system)
     : system_(&system), builder_(system, Formulation::rigid) {}
 
-void ClosedContacts::close(const std::vector<Contact>& contacts, const std::vector<char>& resting) {
+void ClosedContacts::close(const std::vector<Contact>& contacts,
+                           const std::vector<char>& resting,
+                           std::span<const Touch> touches) {
+  rubbing_.close(touches);
   island_.contacts = contacts;
   island_.cubes.clear();
   for (const Contact& c : contacts) {
@@ -37,6 +40,10 @@ void ClosedContacts::pose(const State& state) {
 
 void ClosedContacts::solve(const State& state, Order order) {
   pose(state);
+  if (rubbing_.any()) {
+    rubbing_.solve(*system_, state, island_, order, x_, forces_);
+    return;
+  }
   if (few_) {
     small_.build(*system_, state, island_, order);
     few_ = small_.solve(x_, forces_);

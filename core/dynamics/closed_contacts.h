@@ -6,6 +6,7 @@
 
 #include "core/dynamics/few_contacts.h"
 #include "core/dynamics/programs.h"
+#include "core/dynamics/rubbing_contacts.h"
 #include "core/qp/equality_solver.h"
 
 namespace wuerfel {
@@ -18,18 +19,26 @@ class ClosedContacts {
   explicit ClosedContacts(const System& system);
 
   /// From now on these contacts are closed. `resting`, one per cube, names the cubes that stay
-  /// where they are; no contact may join them to cubes that move.
-  void close(const std::vector<Contact>& contacts, const std::vector<char>& resting);
+  /// where they are; no contact may join them to cubes that move. `touches`: those of the contacts,
+  /// with what they do along their sides; not needed where nothing rubs.
+  void close(const std::vector<Contact>& contacts,
+             const std::vector<char>& resting,
+             std::span<const Touch> touches = {});
 
+  [[nodiscard]] const System& system() const { return *system_; }
   [[nodiscard]] const std::vector<Contact>& contacts() const { return island_.contacts; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
-  [[nodiscard]] bool redundant() const { return !few_ && solver_.dependent_rows() > 0; }
+  [[nodiscard]] bool redundant() const {
+    return rubbing_.any() ? rubbing_.redundant() : !few_ && solver_.dependent_rows() > 0;
+  }
 
   /// Accelerations of all cubes (m/s^2, rad/s^2). Afterwards `contacts` are those at `state`, and
   /// `forces` theirs.
   void accelerate(const State& state, std::vector<Twist>& accelerations);
   /// Forces (N) found by the last `accelerate`; they may be negative: then the contact pulls.
   [[nodiscard]] const std::vector<double>& forces() const { return forces_; }
+  /// Contacts that rub, with the forces of the last `accelerate` along their sides.
+  [[nodiscard]] const RubbingContacts& rubbing() const { return rubbing_; }
 
   /// Moves the cubes by the least (in the mass metric) that closes the gaps to first order.
   void project_positions(State& state);
@@ -44,6 +53,7 @@ class ClosedContacts {
   ProgramBuilder builder_;
   EqualitySolver solver_;
   FewContacts small_;
+  RubbingContacts rubbing_;
   bool few_ = false;  ///< `small_` can do it
   Island island_;
   std::vector<char> resting_;

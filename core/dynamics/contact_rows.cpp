@@ -33,6 +33,12 @@ SideRow tangential_row(const System& system, const State& state, const Contact& 
   return row;
 }
 
+double slip_rate(const System& system, const State& state, const Contact& c) {
+  const ContactVelocity v = contact_velocity(system, state, c);
+  const SideRow row = tangential_row(system, state, c, Order::velocity);
+  return row.g_i.dot(v.v_i) + row.g_j.dot(v.v_j) + row.g_k.dot(v.v_k);
+}
+
 ContactRow pull_back(const System& system,
                      const State& state,
                      const Contact& contact,

@@ -32,6 +32,9 @@ SideRow tangential_row(const System& system,
                        const Contact& contact,
                        Order order);
 
+/// How fast the corner slides along perp(contact.normal) against the side, m/s.
+double slip_rate(const System& system, const State& state, const Contact& contact);
+
 /// A row on points as one on the bodies that carry them.
 ContactRow pull_back(const System& system,
                      const State& state,

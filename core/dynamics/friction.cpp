@@ -19,6 +19,17 @@ std::vector<std::uint64_t> keys_of(const Island& island) {
   return keys;
 }
 
+/// Row times x less its bound.
+double slack(const QuadraticProgram& program, int row, const std::vector<double>& x) {
+  double sum = -program.bound[row];
+  for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
+    const std::span<const double> g = program.entry(e);
+    for (std::size_t k = 0; k < g.size(); ++k)
+      sum += g[k] * x[program.entry_block[e] * g.size() + k];
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool rubs(const System& system, const Island& island) {
@@ -54,6 +65,7 @@ IslandSolution FrictionDynamics::read(const State& state,
   solution.forces.assign(island.contacts.size(), 0.0);
   solution.tangential.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
+  solution.slips.assign(island.contacts.size(), 0.0);
   const QuadraticProgram& program = builder_.program();
   const bool known = static_cast<int>(result.x.size()) == program.unknowns();
   solution.twists = builder_.twists(state, island, known ? result.x : program.target);
@@ -64,12 +76,30 @@ IslandSolution FrictionDynamics::read(const State& state,
     if (n < 0) continue;
     const FrictionContact& contact = friction.contacts[n];
     solution.forces[k] = std::max(0.0, result.multiplier[contact.normal]);
+    solution.slacks[k] = slack(program, contact.normal, result.x);
     if (contact.tangent >= 0) {
+      solution.slips[k] = slack(program, contact.tangent, result.x);
       const double most = contact.mu * solution.forces[k];
       solution.tangential[k] = std::clamp(result.multiplier[contact.tangent], -most, most);
     }
   }
   return solution;
+}
+
+IslandSolution FrictionDynamics::accelerations(const State& state,
+                                               const Island& island,
+                                               std::span<const SideUse> use,
+                                               std::span<const int> slides) {
+  builder_.acceleration(state, island, use);
+  builder_.add_friction(state, island, use, Order::acceleration, slides);
+  CoulombResult result;
+  std::vector<std::uint64_t> keys;
+  const std::vector<std::uint64_t> all = keys_of(island);
+  for (std::size_t k = 0; k < use.size(); ++k) {
+    if (use[k] != SideUse::none) keys.push_back(all[k]);
+  }
+  solver_of(island, accelerations_).solve(builder_.friction_program(), result, keys);
+  return read(state, island, result);
 }
 
 IslandSolution FrictionDynamics::impact(const State& state, const Island& island, double slow) {

@@ -20,6 +20,12 @@ class FrictionDynamics {
  public:
   FrictionDynamics(const System& system, const MotionSettings& settings);
 
+  /// Accelerations and forces under the contacts that `use` says, one entry per contact. `slides`:
+  /// known directions of slip, else 0. May be infeasible where some are known (Painleve).
+  IslandSolution accelerations(const State& state,
+                               const Island& island,
+                               std::span<const SideUse> use,
+                               std::span<const int> slides);
   /// Velocities after all contacts of the island have hit at once, and their impulses: Coulomb's law
   /// and Newton's law of restitution on total impulses [Glocker 2013]. Velocities below `slow` (m/s)
   /// do not bounce.
@@ -44,6 +50,7 @@ class FrictionDynamics {
   MotionSettings settings_;
   ProgramBuilder builder_;
   RestProgram rest_;
+  Solvers accelerations_;
   Solvers impacts_;
   Solvers placements_;
 };

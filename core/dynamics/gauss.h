@@ -26,6 +26,8 @@ struct [[nodiscard]] IslandSolution {
   /// Per contact: J x - b, which is the gap's second rate (m/s^2), its rate or the gap itself;
   /// infinite where the contact is not active.
   std::vector<double> slacks;
+  /// Likewise along the side: J_t x - b_t; 0 where a contact does not rub.
+  std::vector<double> slips;
 
   /// 0 where there is no contact.
   [[nodiscard]] double largest_force() const;

@@ -1,6 +1,7 @@
 #include "core/dynamics/impact.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace wuerfel {
 namespace {
@@ -11,6 +12,19 @@ double kinetic_energy_of(const System& system, const State& state, const Island&
   for (const int cube : island.cubes)
     sum += kinetic_energy(system.body(cube), state[cube]);
   return sum;
+}
+
+Impact with_loss(const System& system,
+                 const State& state,
+                 const Island& island,
+                 IslandSolution after) {
+  Impact result{std::move(after), kinetic_energy_of(system, state, island)};
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    const Twist& v = result.after.twists[k];
+    const BodyState moved{{}, 0.0, v.linear, v.angular};
+    result.loss -= kinetic_energy(system.body(island.cubes[k]), moved);
+  }
+  return result;
 }
 
 }  // namespace
@@ -25,14 +39,15 @@ Impact impact(const System& system,
               const State& state,
               const Island& island,
               IslandDynamics& dynamics) {
-  Impact result{dynamics.impact(state, island), 0.0};
-  result.loss = kinetic_energy_of(system, state, island);
-  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
-    const Twist& v = result.after.twists[k];
-    const BodyState moved{{}, 0.0, v.linear, v.angular};
-    result.loss -= kinetic_energy(system.body(island.cubes[k]), moved);
-  }
-  return result;
+  return with_loss(system, state, island, dynamics.impact(state, island));
+}
+
+Impact impact(const System& system,
+              const State& state,
+              const Island& island,
+              double slow,
+              FrictionDynamics& dynamics) {
+  return with_loss(system, state, island, dynamics.impact(state, island, slow));
 }
 
 }  // namespace wuerfel

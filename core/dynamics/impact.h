@@ -3,7 +3,7 @@
 /// [Moreau 1988].
 #pragma once
 
-#include "core/dynamics/gauss.h"
+#include "core/dynamics/friction.h"
 
 namespace wuerfel {
 
@@ -20,5 +20,12 @@ Impact impact(const System& system,
               const State& state,
               const Island& island,
               IslandDynamics& dynamics);
+/// The same with friction and restitution, for islands that rub or bounce. What closes more slowly
+/// than `slow` (m/s) does not bounce.
+Impact impact(const System& system,
+              const State& state,
+              const Island& island,
+              double slow,
+              FrictionDynamics& dynamics);
 
 }  // namespace wuerfel

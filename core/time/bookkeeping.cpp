@@ -36,6 +36,8 @@ std::string_view to_string(EventKind kind) {
       return "stick";
     case EventKind::slip:
       return "slip";
+    case EventKind::jam:
+      return "jam";
     case EventKind::rest:
       return "rest";
   }

@@ -11,7 +11,7 @@ namespace wuerfel {
 
 struct IslandSolution;
 
-enum class EventKind { impact, touch, release, slide_off, stick, slip, rest };
+enum class EventKind { impact, touch, release, slide_off, stick, slip, jam, rest };
 std::string_view to_string(EventKind kind);
 
 /// Something that happened at one instant.

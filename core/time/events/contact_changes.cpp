@@ -25,6 +25,12 @@ int count_of(const Counts& counts, const IndexPair& pair) {
   return found == counts.end() ? 0 : found->second;
 }
 
+/// The touch of the same pair among others.
+const Touch* same_touch(const std::vector<Touch>& touches, const Touch& touch) {
+  const auto found = std::ranges::find(touches, touch.pair(), &Touch::pair);
+  return found == touches.end() ? nullptr : &*found;
+}
+
 using NamePair = std::pair<std::string, std::string>;
 
 NamePair names(const std::string& a, const std::string& b) { return std::minmax(a, b); }
@@ -66,9 +72,15 @@ void add_contact_changes(const System& system,
   }
   for (const Touch& touch : after.closed.touches) {
     const IndexPair pair = touch.pair();
+    const Contact& c = after.closed.contacts[touch.first];
+    const Touch* former = same_touch(before.closed.touches, touch);
+    if (former != nullptr && !is_named(pair) && touch.surface.friction > 0.0) {
+      if (touch.sticks && !former->sticks) add(c, EventKind::stick);
+      if (touch.slips != 0 && touch.slips != former->slips) add(c, EventKind::slip);
+    }
     if (count_of(closed_after, pair) <= count_of(closed_before, pair) || is_named(pair)) continue;
     if (count_of(touching_after, pair) <= count_of(touching_before, pair)) continue;
-    add(after.closed.contacts[touch.first], EventKind::touch);
+    add(c, EventKind::touch);
   }
 }
 

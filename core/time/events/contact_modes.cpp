@@ -23,7 +23,11 @@ IslandSolution accelerations(const Island& island,
                              const State& state,
                              std::span<const SideUse> use,
                              Workspace& work) {
-  IslandSolution solution = work.dynamics.accelerations(state, island, use);
+  IslandSolution solution =
+      rubs(*work.system, island)
+          ? work.friction.accelerations(state, island, use,
+                                        directions_of_slip(*work.system, state, island))
+          : work.dynamics.accelerations(state, island, use);
   work.solves.add(solution);
   return solution;
 }
@@ -67,7 +71,25 @@ IslandSolution settle(const Island& island,
   return solution;
 }
 
-/// Whether some contact neither presses nor opens.
+/// Normal and tangential force of a touch.
+std::pair<double, double> forces_on(const Touch& touch, const IslandSolution& solution) {
+  double normal = 0.0;
+  double along = 0.0;
+  for (int k = touch.first; k < touch.first + touch.count; ++k) {
+    normal += solution.forces[k];
+    along += solution.tangential[k];
+  }
+  return {normal, along};
+}
+
+/// Whether a touch that does not slip yet is just held, with all its friction.
+bool is_just_held(const Touch& touch, const IslandSolution& solution, double force, double rate) {
+  const auto [normal, along] = forces_on(touch, solution);
+  const double margin = touch.surface.friction * normal - std::abs(along);
+  return normal > force && margin <= force && std::abs(solution.slips[touch.first]) <= rate;
+}
+
+/// Whether some contact neither presses nor opens, or neither sticks nor slips.
 bool is_undecided(const Island& island,
                   const IslandSolution& solution,
                   std::span<const SideUse> use,
@@ -81,7 +103,10 @@ bool is_undecided(const Island& island,
         && solution.slacks[k] <= undecided_share * gravity)
       return true;
   }
-  return false;
+  return std::ranges::any_of(island.touches, [&](const Touch& touch) {
+    return touch.surface.friction > 0.0 && use[touch.first] != SideUse::none
+           && is_just_held(touch, solution, undecided_share * largest, undecided_share * gravity);
+  });
 }
 
 /// The same program after dt s.
@@ -103,7 +128,41 @@ IslandSolution peek(const Island& island,
   return accelerations(moved_island(island, ahead, work), ahead, use, work);
 }
 
+/// What the touches of an island do along their sides: those that slip go on, the others stick
+/// where they do not begin to slip faster than `limit`, m/s^2.
+std::vector<SideMode> find_sides(const System& system,
+                                 const State& state,
+                                 const Island& island,
+                                 const IslandSolution& solution,
+                                 double limit) {
+  const std::vector<int> known = directions_of_slip(system, state, island);
+  std::vector<SideMode> sides;
+  for (const Touch& touch : island.touches) {
+    SideMode mode{false, known[touch.first]};
+    const double begins = solution.slips[touch.first];
+    if (touch.surface.friction > 0.0 && mode.slips == 0) {
+      mode.sticks = std::abs(begins) <= limit;
+      if (!mode.sticks) mode.slips = begins > 0.0 ? 1 : -1;
+    }
+    sides.push_back(mode);
+  }
+  return sides;
+}
+
 }  // namespace
+
+std::vector<int> directions_of_slip(const System& system,
+                                    const State& state,
+                                    const Island& island) {
+  std::vector<int> directions;
+  for (const Contact& c : island.contacts) {
+    const bool rub = system.surface(c.on, c.from).friction > 0.0;
+    const double rate = rub ? slip_rate(system, state, c) : 0.0;
+    const bool slips = std::abs(rate) > zero_rate(system, c, contact_velocity(system, state, c));
+    directions.push_back(!slips ? 0 : rate > 0.0 ? 1 : -1);
+  }
+  return directions;
+}
 
 IslandModes find_modes(const Island& island,
                        const State& state,
@@ -123,6 +182,9 @@ IslandModes find_modes(const Island& island,
   modes.wedged = solution.status == QpStatus::infeasible;
   for (const double slack : solution.slacks)
     modes.closed.push_back(slack <= limit ? 1 : 0);
+  if (rubs(*work.system, island)) {
+    modes.sides = find_sides(*work.system, state, island, solution, limit);
+  }
   return modes;
 }
 
@@ -161,6 +223,19 @@ bool would_open(const State& state, std::span<const Touch> closed, double most, 
   return std::ranges::any_of(islands, [&](const Island& island) {
     const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
     return std::ranges::max(accelerations(island, state, use, work).slacks) > most;
+  });
+}
+
+bool would_let_go(const State& state, const ContactSet& closed, double most, Workspace& work) {
+  std::vector<Island> islands;
+  find_islands(*work.system, closed.contacts, closed.touches, islands);
+  return std::ranges::any_of(islands, [&](const Island& island) {
+    const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+    const IslandSolution solution = accelerations(island, state, use, work);
+    if (std::ranges::max(solution.slacks) > most) return true;
+    return std::ranges::any_of(island.touches, [&](const Touch& touch) {
+      return touch.sticks && std::abs(solution.slips[touch.first]) > most;
+    });
   });
 }
 

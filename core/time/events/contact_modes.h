@@ -25,8 +25,15 @@ struct ContactLimits {
   double rest_speed = 1e-9;  ///< share of V below which cubes rest where their forces balance
 };
 
+/// What a closed touch that rubs does along its side.
+struct SideMode {
+  bool sticks = false;
+  int slips = 0;  ///< +1, -1 along perp(normal)
+};
+
 struct IslandModes {
-  std::vector<char> closed;  ///< one per contact of the island
+  std::vector<char> closed;     ///< one per contact of the island
+  std::vector<SideMode> sides;  ///< one per touch of the island
   bool wedged = false;
 };
 
@@ -40,6 +47,10 @@ IslandModes find_modes(const Island& island,
                        bool after_impact,
                        Workspace& work);
 
+/// Direction of slip of every contact of an island that rubs: +1, -1, or 0 where it does not slip
+/// but for rounding, or does not rub.
+std::vector<int> directions_of_slip(const System& system, const State& state, const Island& island);
+
 /// Whether an island whose cubes are as slow as `limits` say rests: standing still it stays.
 bool rests(const Island& island,
            const State& state,
@@ -52,5 +63,7 @@ bool rests(const Island& island,
 /// negative one is no release where others would do the same; Gauss' program with inequalities
 /// knows.
 bool would_open(const State& state, std::span<const Touch> closed, double most, Workspace& work);
+/// The same where contacts rub: whether a gap would open, or what sticks would slip.
+bool would_let_go(const State& state, const ContactSet& closed, double most, Workspace& work);
 
 }  // namespace wuerfel

@@ -10,8 +10,9 @@ namespace {
 
 /// Smooth phases are integrated to this share of the tolerance that the user asked for.
 constexpr double inner_share = 0.01;
-/// A load that starts below this share of the weight is watched from where it has left zero.
-constexpr double zero_force = 1e-11;
+/// A load that starts below this share of the weight, or a slip below this share of V, is watched
+/// from where it has left zero.
+constexpr double zero_load = 1e-11;
 /// Events closer than this share of L / V are at one instant; so many of them in a row let time
 /// pass by force, by this share.
 constexpr double instant_share = 1e-13;
@@ -25,12 +26,27 @@ constexpr double trusted_share = 0.01;
 constexpr int most_corrections = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double difference_share = 1e-6;
+/// What is left of bouncing when a contact no longer bounces takes less than this share of L / V.
+constexpr double longest_tail = 0.05;
+
+/// Names of the pairs that stay in touch, in order.
+std::vector<BounceSeries::NamePair> closed_pairs(const System& system,
+                                                 const std::vector<Touch>& touches) {
+  std::vector<BounceSeries::NamePair> pairs;
+  for (const Touch& touch : touches)
+    pairs.emplace_back(std::minmax(system.body(touch.on).name, system.body(touch.from).name));
+  std::ranges::sort(pairs);
+  return pairs;
+}
 
 void note_instant(const Instant& now, Bookkeeping& book) {
   note_overlap(now.deepest.depth, now.deepest.scale, book.audit);
   book.cost.skipped_rest += now.skipped_rest;
   book.cost.skipped_free += now.skipped_free;
-  book.events.insert(book.events.end(), now.events.begin(), now.events.end());
+  for (const Event& e : now.events) {
+    const auto later = std::ranges::upper_bound(book.events, e.t, {}, &Event::t);
+    book.events.insert(later, e);
+  }
 }
 
 /// Books a step: `forced` where there were events without end at one instant.
@@ -86,11 +102,16 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   note_step(step, forced, book);
   pieces.push_back(last_piece());
   clock_ += step.elapsed;
+  // Nothing else takes energy between events.
+  if (phase_.equations().slips()) {
+    const double rubbed = energy(*system_, state()) - energy(*system_, step.end);
+    book.losses.push_back({clock_, rubbed, true, clock_ - step.elapsed});
+  }
   if (event) {
-    ++events_;
     const bool instant = step.elapsed <= instant_share * phase_.scales().time;
     instant_events_ = instant ? instant_events_ + 1 : 0;
     begin_phase(State(step.end), ended_phase(), {}, book);
+    if (!series_.goes_on()) ++events_;
   } else {
     instant_events_ = 0;
     phase_.go_on();
@@ -106,6 +127,8 @@ void EventMotion::begin_phase(const State& state,
                               Bookkeeping& book) {
   const double energy_before = energy(*system_, state);
   Instant now = happen(state, clock_, before, limits, work_);
+  series_.note(now.events, closed_pairs(*system_, now.modes.closed.touches),
+               longest_tail * scales_of(*system_, state).time);
   note_instant(now, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
@@ -114,7 +137,7 @@ void EventMotion::begin_phase(const State& state,
   const double loss = energy_before - energy(*system_, phase_.state());
   if (loss > 0.0) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
-  forces_.begin(phase_, zero_force * phase_.scales().weight);
+  forces_.begin(phase_, zero_load);
 }
 
 /// The first event within a step.
@@ -167,7 +190,7 @@ void EventMotion::reach(const FirstEvent& event) {
 MotionPiece EventMotion::last_piece() const {
   const SmoothStep& step = phase_.last();
   return {MotionPiece::Kind::smooth,     clock_, step.length, phase_.state(), step.motion,
-          phase_.equations().contacts(), {}};
+          phase_.equations().contacts(), {}, phase_.equations().touches()};
 }
 
 /// The phase that the last step ends, its contacts as they are there.
@@ -182,7 +205,7 @@ State EventMotion::look(const MotionPiece& piece, double t) {
   if (t <= piece.begin) return state;
   look_at(piece.motion, (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty()) {
-    looker_.close(piece.closed, {});
+    looker_.close(piece.closed, {}, piece.touches);
     looker_.project_positions(state);
     looker_.project_velocities(state);
   }

@@ -5,6 +5,7 @@
 #include <deque>
 #include <variant>
 
+#include "core/time/events/bounce_series.h"
 #include "core/time/events/force_events.h"
 #include "core/time/events/geometric_events.h"
 #include "core/time/events/instant.h"
@@ -27,7 +28,7 @@ class EventMotion {
   [[nodiscard]] double clock() const { return clock_; }
   /// One step: at most to `limit`, or to the first event, which happens then. Its piece is added.
   void advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book);
-  /// Events since the start.
+  /// Events since the start, but for those of bounces that are known to end.
   [[nodiscard]] long events() const { return events_; }
 
   /// State at the clock.
@@ -61,6 +62,7 @@ class EventMotion {
   ContactModes modes_;
   ClosedContacts looker_;  ///< for looks between steps
   double clock_ = 0.0;
+  BounceSeries series_;
   long events_ = 0;
   int instant_events_ = 0;  ///< in a row, without time passing
 };

@@ -109,7 +109,9 @@ struct ClosedInStep {
     State state = phase.state();
     look_at(phase.last().motion, share, state);
     phase.project(state);
-    const bool opens = would_open(state, phase.equations().touches(), most, work);
+    const bool opens = phase.equations().rubs()
+                           ? would_let_go(state, phase.closed(), most, work)
+                           : would_open(state, phase.equations().touches(), most, work);
     return {share, {opens ? -1.0 : 1.0, 0.0, 0.0}};
   }
   [[nodiscard]] static bool positive_between(const Sample& a, const Sample& b, double /*shift*/) {
@@ -120,10 +122,14 @@ struct ClosedInStep {
 
 }  // namespace
 
-void ForceEvents::begin(const SmoothPhase& phase, double zero) {
+void ForceEvents::begin(const SmoothPhase& phase, double share) {
   loads_.clear();
-  for (const double load : phase.loads())
-    loads_.push_back(Arming::at_start(load, zero));
+  first_slip_ = phase.equations().first_slip(phase.loads());
+  const Scales& scales = phase.scales();
+  for (const double load : phase.loads()) {
+    const bool is_force = static_cast<int>(loads_.size()) < first_slip_;
+    loads_.push_back(Arming::at_start(load, share * (is_force ? scales.weight : scales.speed)));
+  }
 }
 
 void ForceEvents::passed(const std::vector<double>& loads) {
@@ -131,12 +137,14 @@ void ForceEvents::passed(const std::vector<double>& loads) {
     loads_[k].pass(loads[k]);
 }
 
+/// Of the loads from number `from` on.
 std::optional<ForceEvents::First> ForceEvents::first_release(SmoothPhase& phase,
+                                                             int from,
                                                              double until) const {
   std::optional<First> result;
   LoadsInStep loads(phase);
   const std::vector<LoadRange>& ranges = phase.last().load_range;
-  for (int k = 0; k < static_cast<int>(loads_.size()); ++k) {
+  for (int k = from; k < static_cast<int>(loads_.size()); ++k) {
     const double least = ranges[k].low + loads_[k].shift;
     // What is further from zero than its range over all evaluations has no zero between them.
     if (least > ranges[k].high - ranges[k].low) continue;
@@ -147,22 +155,32 @@ std::optional<ForceEvents::First> ForceEvents::first_release(SmoothPhase& phase,
   return result;
 }
 
-std::optional<ForceEvents::First> ForceEvents::first(SmoothPhase& phase,
-                                                     double until,
-                                                     double gravity,
-                                                     Workspace& work) const {
-  if (loads_.empty()) return {};
-  if (!phase.redundant()) return first_release(phase, until);
+std::optional<ForceEvents::First> ForceEvents::first_opening(SmoothPhase& phase,
+                                                             double until,
+                                                             double gravity,
+                                                             Workspace& work) const {
   const std::vector<LoadRange>& ranges = phase.last().load_range;
   const auto is_negative = [&](int k) { return ranges[k].low + loads_[k].shift < 0.0; };
   bool negative = false;
-  for (int k = 0; k < static_cast<int>(loads_.size()); ++k)
+  for (int k = 0; k < first_slip_; ++k)
     negative = negative || is_negative(k);
   if (!negative) return {};
   ClosedInStep closed{phase, opening_share * gravity, work};
   const FirstZero found = first_zero(closed, until, Arming{});
   if (!found.share) return {};
   return First{*found.share, {}, {}};
+}
+
+std::optional<ForceEvents::First> ForceEvents::first(SmoothPhase& phase,
+                                                     double until,
+                                                     double gravity,
+                                                     Workspace& work) const {
+  if (loads_.empty()) return {};
+  if (!phase.redundant()) return first_release(phase, 0, until);
+  const std::optional<First> slip = first_release(phase, first_slip_, until);
+  const std::optional<First> opening =
+      first_opening(phase, slip ? slip->share : until, gravity, work);
+  return opening ? opening : slip;
 }
 
 }  // namespace wuerfel

@@ -13,8 +13,9 @@ namespace wuerfel {
 /// negative one is no reason to open; then Gauss' program with inequalities is asked instead.
 class ForceEvents {
  public:
-  /// A phase begins with the loads that `phase` has found. Below `zero` (N) a load counts as zero.
-  void begin(const SmoothPhase& phase, double zero);
+  /// A phase begins with the loads that `phase` has found. Below `share` of the weight a load counts
+  /// as zero, and below that share of V the speed of a slip.
+  void begin(const SmoothPhase& phase, double share);
 
   struct First {
     double share = 1.0;       ///< of the step
@@ -31,9 +32,16 @@ class ForceEvents {
   void passed(const std::vector<double>& loads);
 
  private:
-  [[nodiscard]] std::optional<First> first_release(SmoothPhase& phase, double until) const;
+  [[nodiscard]] std::optional<First> first_release(SmoothPhase& phase,
+                                                   int from,
+                                                   double until) const;
+  [[nodiscard]] std::optional<First> first_opening(SmoothPhase& phase,
+                                                   double until,
+                                                   double gravity,
+                                                   Workspace& work) const;
 
   std::vector<Arming> loads_;
+  int first_slip_ = 0;  ///< the loads before are forces, the others speeds
 };
 
 }  // namespace wuerfel

@@ -9,6 +9,11 @@
 namespace wuerfel {
 namespace {
 
+/// What closes more slowly than this share of V does not bounce: it would rise by 5e-9 of the size,
+/// not much more than what counts as touching. The impulses of all the bounces that are left out
+/// are those of the weight meanwhile, so that nothing but the height of the last ones is missing.
+constexpr double slowest_bounce = 1e-4;
+
 /// Finds contacts and islands of a state.
 void find_touching(const State& state,
                    double touching,
@@ -78,8 +83,16 @@ void close(const Island& island, const IslandModes& modes, Instant& now, Workspa
   if (!change.velocities.empty()) set_velocities(island, change.velocities, now.state);
   std::vector<Box> boxes;
   pose_boxes(*work.system, now.state, boxes);
-  for (const Touch& touch : island.touches)
-    add_closed_rows(*work.system, boxes, touch, island.contacts, modes.closed, now.modes.closed);
+  ContactSet& closed = now.modes.closed;
+  for (std::size_t k = 0; k < island.touches.size(); ++k) {
+    const std::size_t before = closed.touches.size();
+    add_closed_rows(*work.system, boxes, island.touches[k], island.contacts, modes.closed, closed);
+    if (modes.sides.empty() || closed.touches.size() == before) continue;
+    Touch& touch = closed.touches.back();
+    touch.sticks = modes.sides[k].sticks;
+    touch.slips = modes.sides[k].slips;
+    touch.anchor = place_along(*work.system, closed.contacts[touch.first]);
+  }
 }
 
 void happen_to(const Island& island,
@@ -95,7 +108,10 @@ void happen_to(const Island& island,
     now.modes.resting[cube] = 0;
   const bool hits = closes(system, now.state, island);
   if (hits) {
-    const Impact hit = impact(system, now.state, island, work.dynamics);
+    const bool special = rubs(system, island) || bounces(system, island);
+    const double slow = slowest_bounce * scales.speed;
+    const Impact hit = special ? impact(system, now.state, island, slow, work.friction)
+                               : impact(system, now.state, island, work.dynamics);
     work.solves.add(hit.after);
     set_velocities(island, hit.after.twists, now.state);
     add_impacts(system, island, hit, t, now);

@@ -28,6 +28,7 @@ struct MotionPiece {
   /// Contacts that stay closed in a smooth piece, or carry load in a stepped one.
   std::vector<Contact> closed;
   std::shared_ptr<const StepRecord> record;  ///< of a stepped piece
+  std::vector<Touch> touches{};              ///< of a smooth piece, closed
 };
 
 /// State at a share of a step, not yet projected. `state` must have the right number of cubes.

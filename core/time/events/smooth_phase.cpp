@@ -47,8 +47,10 @@ void set_parabola(const std::vector<double>& y,
 }  // namespace
 
 void EquationsOfMotion::close(ContactSet closed, const std::vector<char>& resting) {
-  contacts_.close(closed.contacts, resting);
+  contacts_.close(closed.contacts, resting, closed.touches);
   touches_ = std::move(closed.touches);
+  slips_ = static_cast<int>(
+      std::ranges::count_if(touches_, [](const Touch& t) { return t.slips != 0; }));
 }
 
 void EquationsOfMotion::operator()(const std::vector<double>& y, std::vector<double>& rate) {
@@ -76,6 +78,14 @@ void EquationsOfMotion::project(State& state) {
 
 void EquationsOfMotion::find_loads(std::vector<double>& loads) const {
   wuerfel::find_loads(touches_, contacts_.contacts(), contacts_.forces(), loads);
+  const RubbingContacts& rubbing = contacts_.rubbing();
+  if (!rubbing.any()) return;
+  rubbing.add_margins(contacts_.forces(), loads);
+  rubbing.add_slips(contacts_.system(), state_, contacts_.contacts(), loads);
+}
+
+int EquationsOfMotion::first_slip(const std::vector<double>& loads) const {
+  return static_cast<int>(loads.size()) - slips_;
 }
 
 void SmoothPhase::begin(const State& state,

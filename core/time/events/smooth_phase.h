@@ -13,7 +13,8 @@
 
 namespace wuerfel {
 
-/// What the contacts of a phase bear (find_loads) over all evaluations of a step.
+/// What the contacts of a phase bear (find_loads) over all evaluations of a step, and the other
+/// functions that must stay positive.
 struct LoadRange {
   double low = 0.0;  ///< N
   double high = 0.0;
@@ -45,8 +46,13 @@ class EquationsOfMotion {
   /// Puts a state on the closed contacts.
   void project(State& state);
 
-  /// What the closed contacts bear at the state of the last call.
+  /// What must stay positive, at the state of the last call: what the closed contacts bear; how far
+  /// touches that stick are from slipping; how fast touches slip, from `first_slip` on.
   void find_loads(std::vector<double>& loads) const;
+  [[nodiscard]] int first_slip(const std::vector<double>& loads) const;
+  /// Whether some touch slips, so that friction takes energy.
+  [[nodiscard]] bool slips() const { return slips_ > 0; }
+  [[nodiscard]] bool rubs() const { return contacts_.rubbing().any(); }
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_.contacts(); }
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Whether the closed contacts depend on one another, so that their loads are not the only ones.
@@ -55,6 +61,7 @@ class EquationsOfMotion {
  private:
   ClosedContacts contacts_;
   std::vector<Touch> touches_;
+  int slips_ = 0;  ///< touches that slip
   State state_;                ///< scratch of a call
   std::vector<Twist> twists_;  ///< likewise
 };
@@ -79,6 +86,10 @@ class SmoothPhase {
   [[nodiscard]] const State& state() const { return start_; }
   [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
   [[nodiscard]] const EquationsOfMotion& equations() const { return equations_; }
+  /// The closed contacts, as they are at the last state that was asked for.
+  [[nodiscard]] ContactSet closed() const {
+    return {equations_.contacts(), equations_.touches()};
+  }
 
   /// Takes a step of at most `most` s.
   const SmoothStep& step(double most);

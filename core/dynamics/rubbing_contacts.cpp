@@ -1,0 +1,162 @@
+#include "core/dynamics/rubbing_contacts.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// Rows depend on one another where a pivot is below this share of the largest.
+constexpr double dependent_share = 1e-11;
+
+/// One row after the other, so that one can be handed on.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Dense rows R, columns C', bounds, for the cubes of an island.
+struct Equations {
+  Rows rows;
+  Rows columns;
+  Eigen::VectorXd bound;
+  Eigen::VectorXd target;
+  Eigen::VectorXd inverse_mass;
+};
+
+int place_of(const Island& island, int cube) {
+  const auto at = std::ranges::lower_bound(island.cubes, cube);
+  return 3 * static_cast<int>(at - island.cubes.begin());
+}
+
+/// Adds a multiple of a row, less its constant.
+void add(const System& system,
+         const Island& island,
+         const Contact& contact,
+         const ContactRow& row,
+         double factor,
+         Eigen::Ref<Eigen::RowVectorXd> out) {
+  const auto on_body = [&](int body, const std::array<double, 3>& g) {
+    if (!system.is_cube(body)) return;
+    const int at = place_of(island, body);
+    for (int i = 0; i < 3; ++i)
+      out[at + i] += factor * g[i];
+  };
+  on_body(contact.on, row.on);
+  on_body(contact.from, row.from);
+}
+
+void set_targets(const System& system,
+                 const State& state,
+                 const Island& island,
+                 Order order,
+                 Equations& e) {
+  const auto n = static_cast<Eigen::Index>(3 * island.cubes.size());
+  e.target = Eigen::VectorXd::Zero(n);
+  e.inverse_mass.resize(n);
+  int at = 0;
+  for (const int cube : island.cubes) {
+    const Body& body = system.body(cube);
+    const BodyState& s = state[cube];
+    e.inverse_mass.segment<3>(at) << 1.0 / body.mass, 1.0 / body.mass, 1.0 / body.inertia;
+    if (order == Order::acceleration) e.target.segment<2>(at) = system.gravity;
+    if (order == Order::velocity) e.target.segment<3>(at) << s.velocity.x(), s.velocity.y(), s.spin;
+    at += 3;
+  }
+}
+
+/// lambda of R M^-1 C' lambda = b - R f, with rows and columns of size one; once refined.
+Eigen::VectorXd multipliers(const Equations& e, bool& redundant) {
+  const Eigen::VectorXd root = e.inverse_mass.cwiseSqrt();
+  Rows rows = e.rows * root.asDiagonal();
+  Rows columns = e.columns * root.asDiagonal();
+  const Eigen::VectorXd row_unit = rows.rowwise().norm().cwiseInverse();
+  const Eigen::VectorXd column_unit = columns.rowwise().norm().cwiseInverse();
+  rows = row_unit.asDiagonal() * rows;
+  columns = column_unit.asDiagonal() * columns;
+  const Eigen::MatrixXd coupling = rows * columns.transpose();
+  const Eigen::VectorXd b = row_unit.cwiseProduct(e.bound - e.rows * e.target);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(dependent_share);
+  factors.compute(coupling);
+  redundant = factors.rank() < coupling.rows();
+  Eigen::VectorXd lambda = factors.solve(b);
+  lambda += factors.solve(b - coupling * lambda);
+  return column_unit.cwiseProduct(lambda);
+}
+
+}  // namespace
+
+void RubbingContacts::close(std::span<const Touch> touches) {
+  touches_.assign(touches.begin(), touches.end());
+  any_ = std::ranges::any_of(touches_, [](const Touch& t) { return t.sticks || t.slips != 0; });
+}
+
+void RubbingContacts::solve(const System& system,
+                            const State& state,
+                            const Island& island,
+                            Order order,
+                            std::vector<double>& x,
+                            std::vector<double>& forces) {
+  const auto sticking = std::ranges::count_if(touches_, &Touch::sticks);
+  const auto normals = static_cast<Eigen::Index>(island.contacts.size());
+  Equations e;
+  set_targets(system, state, island, order, e);
+  e.rows = Rows::Zero(normals + sticking, e.target.size());
+  e.columns = e.rows;
+  e.bound = Eigen::VectorXd::Zero(normals + sticking);
+  const auto along = [&](Contact c, const Touch& touch) {
+    c.slip = touch.sticks ? place_along(system, c) - touch.anchor : 0.0;
+    return pull_back(system, state, c, order, tangential_row(system, state, c, order));
+  };
+  Eigen::Index next = normals;
+  for (const Touch& touch : touches_) {
+    for (int k = touch.first; k < touch.first + touch.count; ++k) {
+      const Contact& c = island.contacts[k];
+      const ContactRow row =
+          pull_back(system, state, c, order, normal_row(system, state, c, order));
+      add(system, island, c, row, 1.0, e.rows.row(k));
+      e.columns.row(k) = e.rows.row(k);
+      e.bound[k] = -row.c;
+      if (touch.slips != 0 && order == Order::acceleration)
+        add(system, island, c, along(c, touch), -touch.slips * touch.surface.friction,
+            e.columns.row(k));
+    }
+    if (!touch.sticks) continue;
+    const Contact& c = island.contacts[touch.first];
+    const ContactRow row = along(c, touch);
+    add(system, island, c, row, 1.0, e.rows.row(next));
+    e.columns.row(next) = e.rows.row(next);
+    e.bound[next++] = -row.c;
+  }
+  const Eigen::VectorXd lambda = multipliers(e, redundant_);
+  const Eigen::VectorXd found =
+      e.target + e.inverse_mass.cwiseProduct(e.columns.transpose() * lambda);
+  x.assign(found.begin(), found.end());
+  forces.assign(lambda.begin(), lambda.begin() + normals);
+  tangential_.assign(lambda.begin() + normals, lambda.end());
+}
+
+void RubbingContacts::add_margins(std::span<const double> forces,
+                                  std::vector<double>& loads) const {
+  std::size_t next = 0;
+  for (const Touch& touch : touches_) {
+    if (!touch.sticks) continue;
+    double normal = 0.0;
+    for (int k = touch.first; k < touch.first + touch.count; ++k)
+      normal += forces[k];
+    const double along = tangential_[next++];
+    const double most = touch.surface.friction * normal;
+    loads.insert(loads.end(), {most - along, most + along});
+  }
+}
+
+void RubbingContacts::add_slips(const System& system,
+                                const State& state,
+                                std::span<const Contact> contacts,
+                                std::vector<double>& loads) const {
+  for (const Touch& touch : touches_) {
+    if (touch.slips != 0)
+      loads.push_back(touch.slips * slip_rate(system, state, contacts[touch.first]));
+  }
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,42 @@
+/// Bouncing, and rocking, come to rest in finite time by impacts without end: intervals between them
+/// fall like a geometric series, whose sum says when.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/time/bookkeeping.h"
+
+namespace wuerfel {
+
+class BounceSeries {
+ public:
+  using NamePair = std::pair<std::string, std::string>;
+
+  /// Takes note of the impacts of an instant. A rest that ends a series, short of its last bounces,
+  /// is dated when these would be over, if that is within `most` s; pairs that stay in touch and
+  /// move on, `closed` (names in order), get the event `touch` at that time.
+  void note(std::vector<Event>& events, const std::vector<NamePair>& closed, double most);
+  /// Whether the impacts of the last instant went on with their series.
+  [[nodiscard]] bool goes_on() const { return goes_on_; }
+
+ private:
+  struct Series {
+    double last = 0.0;      ///< s, the last impact
+    double interval = 0.0;  ///< s, before it; 0: none
+    double ratio = 0.0;     ///< of the last two intervals
+    int agreeing = 0;       ///< ratios in a row
+    void add(double t);
+    [[nodiscard]] bool converges() const;
+    [[nodiscard]] double rest_of_it() const { return interval * ratio / (1.0 - ratio); }
+  };
+  void date_ends(std::vector<Event>& events, const std::vector<NamePair>& closed, double most);
+
+  std::map<NamePair, Series> of_pair_;
+  bool goes_on_ = false;
+};
+
+}  // namespace wuerfel
