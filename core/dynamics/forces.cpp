@@ -1,17 +1,31 @@
 #include "core/dynamics/forces.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/QR>
 
 #include "core/dynamics/programs.h"
 #include "core/dynamics/pull_back.h"
-#include "core/qp/canonical_multipliers.h"
+#include "core/qp/methods/canonical_multipliers.h"
 
 namespace wuerfel {
 namespace {
 
-/// What the sparse way leaves undone, the dense one does for programs that are not too large.
-constexpr double good_misfit = 1e-8;
-constexpr int largest_dense = 200;
+/// The contacts that were active in a solution.
+std::vector<SideUse> uses(const IslandSolution& solution) {
+  std::vector<SideUse> use;
+  for (const double slack : solution.slacks)
+    use.push_back(std::isfinite(slack) ? SideUse::inequality : SideUse::none);
+  return use;
+}
+
+std::vector<double> unknowns(const std::vector<Twist>& twists) {
+  std::vector<double> x;
+  for (const Twist& a : twists)
+    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
+  return x;
+}
 
 }  // namespace
 
@@ -21,36 +35,26 @@ ContactForces canonical_forces(const System& system,
                                const std::vector<Twist>& accelerations,
                                const IslandSolution& solution,
                                Uniqueness uniqueness) {
-  std::vector<SideUse> use;
+  const std::vector<SideUse> use = uses(solution);
   std::vector<double> multiplier;
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const bool active = contact_motion(system, state, island.contacts[k]) != ContactMotion::opening;
-    use.push_back(active ? SideUse::inequality : SideUse::none);
-    if (active) multiplier.push_back(solution.forces[k]);
-  }
+  for (std::size_t k = 0; k < use.size(); ++k)
+    if (use[k] != SideUse::none) multiplier.push_back(solution.forces[k]);
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
-  std::vector<double> x;
-  for (const Twist& a : accelerations) {
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  }
+  const std::vector<double> x = unknowns(accelerations);
   LeastNormMultipliers least;
   CanonicalMultipliers().find(builder.program(), x, multiplier, uniqueness == Uniqueness::asked,
                               least);
-  if (least.misfit > good_misfit && builder.program().rows() <= largest_dense) {
-    least = least_norm_multipliers(builder.program(), x);
-  }
-  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 0)};
+  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1), 0.0};
   std::size_t row = 0;
   for (std::size_t k = 0; k < use.size(); ++k) {
-    if (use[k] == SideUse::none) {
-      result.unique[k] = 1;  // an opening contact has no force
-      continue;
-    }
+    if (use[k] == SideUse::none) continue;  // no force, and only that one
     result.force[k] = least.multiplier[row];
     result.unique[k] = least.unique[row] ? 1 : 0;
     ++row;
   }
+  result.residual =
+      std::max(least.misfit, optimality_residual(builder.program(), x, least.multiplier).worst());
   return result;
 }
 
@@ -67,10 +71,9 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
   // What rods have to add to gravity and contact so that m_k a_k comes out.
   Eigen::Matrix<double, 2 * points_per_cube, 1> missing;
   for (int k = 0; k < points_per_cube; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    const Vec2 r = points.p[n] - s.position;
+    const Vec2 r = points.p[k] - s.position;
     const Vec2 a_k = point_acceleration(acceleration, s.spin, r);
-    missing.segment<2>(2 * k) = masses[n].mass * (a_k - system.gravity);
+    missing.segment<2>(2 * k) = masses[k].mass * (a_k - system.gravity);
   }
   for (std::size_t m = 0; m < contacts.size(); ++m) {
     const Contact& c = contacts[m];

@@ -20,11 +20,14 @@ struct ContactForces {
   std::vector<double> force;  ///< N, >= 0; one per contact of the island, 0 where it is opening
   std::vector<char>
       unique;  ///< whether no other force here gives the same accelerations; all 0 if ignored
+  /// Of these very forces: QpResidual::worst() with the accelerations, and body by body what they miss
+  /// of Newton's law in parts of the largest force on the body (ResidualMeter::imbalance).
+  double residual = 0.0;
 };
 
-/// Contact forces of least sum of squares that give the accelerations of `solution`, which must be
-/// optimal to about 1e-10. `accelerations` are those of its cubes as they are used (exactly zero in
-/// certified rest).
+/// Contact forces of least sum of squares that give `accelerations`: those of `solution` as they are
+/// used (exactly zero in certified rest). Where they cannot be found as exactly as the forces of
+/// `solution` balance, these are returned.
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,
