@@ -19,11 +19,9 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
     }
   }
   std::ranges::sort(island_.cubes);
-  const auto doubles = std::ranges::unique(island_.cubes);
-  island_.cubes.erase(doubles.begin(), doubles.end());
+  island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
   use_.assign(contacts.size(), SideUse::equality);
   resting_ = resting;
-  few_ = contacts.size() <= FewContacts::most;
   boxes_.resize(system_->count());
   for (int i = system_->cubes; i < system_->count(); ++i)
     boxes_[i] = system_->body(i).box;
@@ -43,11 +41,6 @@ void ClosedContacts::solve(const State& state, Order order) {
   if (rubbing_.any()) {
     rubbing_.solve(*system_, state, island_, order, x_, forces_);
     return;
-  }
-  if (few_) {
-    small_.build(*system_, state, island_, order);
-    few_ = small_.solve(x_, forces_);
-    if (few_) return;
   }
   if (order == Order::acceleration) builder_.acceleration(state, island_, use_);
   if (order == Order::velocity) builder_.velocity(state, island_, use_);

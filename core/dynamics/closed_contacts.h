@@ -4,10 +4,9 @@
 
 #include <vector>
 
-#include "core/dynamics/few_contacts.h"
 #include "core/dynamics/programs.h"
 #include "core/dynamics/rubbing_contacts.h"
-#include "core/qp/equality_solver.h"
+#include "core/qp/methods/equality_solver.h"
 
 namespace wuerfel {
 
@@ -29,7 +28,8 @@ class ClosedContacts {
   [[nodiscard]] const std::vector<Contact>& contacts() const { return island_.contacts; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
   [[nodiscard]] bool redundant() const {
-    return rubbing_.any() ? rubbing_.redundant() : !few_ && solver_.dependent_rows() > 0;
+    return rubbing_.any() ? rubbing_.redundant()
+                          : !island_.contacts.empty() && solver_.dependent_rows() > 0;
   }
 
   /// Accelerations of all cubes (m/s^2, rad/s^2). Afterwards `contacts` are those at `state`, and
@@ -52,9 +52,7 @@ class ClosedContacts {
   const System* system_;
   ProgramBuilder builder_;
   EqualitySolver solver_;
-  FewContacts small_;
   RubbingContacts rubbing_;
-  bool few_ = false;  ///< `small_` can do it
   Island island_;
   std::vector<char> resting_;
   std::vector<SideUse> use_;

@@ -1,49 +1,36 @@
 #include "core/dynamics/forces.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/QR>
 
 #include "core/dynamics/programs.h"
 #include "core/dynamics/pull_back.h"
-#include "core/qp/canonical_multipliers.h"
 #include "core/qp/coulomb/canonical_friction.h"
 #include "core/qp/coulomb/coulomb_solver.h"
+#include "core/qp/methods/canonical_multipliers.h"
 
 namespace wuerfel {
 namespace {
 
-/// What the sparse way leaves undone, the dense one does for programs that are not too large.
-constexpr double good_misfit = 1e-8;
-constexpr int largest_dense = 200;
-
-/// Multipliers of least norm with the accelerations x, or, where none better are found, those given.
-/// Returns their residual.
-double choose(const QuadraticProgram& program,
-              const std::vector<double>& x,
-              const std::vector<double>& given,
-              Uniqueness uniqueness,
-              LeastNormMultipliers& least) {
-  CanonicalMultipliers().find(program, x, given, uniqueness == Uniqueness::asked, least);
-  if (least.misfit > good_misfit && program.rows() <= largest_dense) {
-    least = least_norm_multipliers(program, x);
-  }
-  const double residual = optimality_residual(program, x, least.multiplier).worst();
-  if (residual <= QpSettings{}.tolerance) return residual;
-  const double of_given = optimality_residual(program, x, given).worst();
-  if (of_given >= residual) return residual;
-  least.multiplier = given;
-  least.unique.assign(given.size(), false);
-  return of_given;
-}
-
-/// Contacts that are not opening.
-std::vector<SideUse> active_sides(const IslandSolution& solution) {
+/// The contacts that were active in a solution.
+std::vector<SideUse> uses(const IslandSolution& solution) {
   std::vector<SideUse> use;
   for (const double slack : solution.slacks)
-    use.push_back(slack != unbounded ? SideUse::inequality : SideUse::none);
+    use.push_back(std::isfinite(slack) ? SideUse::inequality : SideUse::none);
   return use;
 }
 
-/// The same with friction.
+std::vector<double> unknowns(const std::vector<Twist>& twists) {
+  std::vector<double> x;
+  for (const Twist& a : twists)
+    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
+  return x;
+}
+
+/// Forces of least norm with the accelerations x under friction, or, where none better are found, those given. Returns
+/// their residual.
 double choose(const FrictionProgram& friction,
               const std::vector<double>& x,
               const std::vector<double>& given,
@@ -59,13 +46,6 @@ double choose(const FrictionProgram& friction,
   return of_given;
 }
 
-std::vector<double> flat(const std::vector<Twist>& twists) {
-  std::vector<double> x;
-  for (const Twist& a : twists)
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  return x;
-}
-
 }  // namespace
 
 ContactForces canonical_forces(const System& system,
@@ -74,27 +54,26 @@ ContactForces canonical_forces(const System& system,
                                const std::vector<Twist>& accelerations,
                                const IslandSolution& solution,
                                Uniqueness uniqueness) {
-  const std::vector<SideUse> use = active_sides(solution);
+  const std::vector<SideUse> use = uses(solution);
   std::vector<double> multiplier;
-  for (std::size_t k = 0; k < use.size(); ++k) {
+  for (std::size_t k = 0; k < use.size(); ++k)
     if (use[k] != SideUse::none) multiplier.push_back(solution.forces[k]);
-  }
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
-  const std::vector<double> x = flat(accelerations);
+  const std::vector<double> x = unknowns(accelerations);
   LeastNormMultipliers least;
-  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 0)};
-  result.residual = choose(builder.program(), x, multiplier, uniqueness, least);
+  CanonicalMultipliers().find(builder.program(), x, multiplier, uniqueness == Uniqueness::asked,
+                              least);
+  ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
   std::size_t row = 0;
   for (std::size_t k = 0; k < use.size(); ++k) {
-    if (use[k] == SideUse::none) {
-      result.unique[k] = 1;  // an opening contact has no force
-      continue;
-    }
+    if (use[k] == SideUse::none) continue;  // no force, and only that one
     result.force[k] = least.multiplier[row];
     result.unique[k] = least.unique[row] ? 1 : 0;
     ++row;
   }
+  result.residual =
+      std::max(least.misfit, optimality_residual(builder.program(), x, least.multiplier).worst());
   return result;
 }
 
@@ -105,7 +84,7 @@ ContactForces canonical_forces_with_friction(const System& system,
                                              const std::vector<Twist>& accelerations,
                                              const IslandSolution& solution,
                                              Uniqueness uniqueness) {
-  const std::vector<SideUse> use = active_sides(solution);
+  const std::vector<SideUse> use = uses(solution);
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
   builder.add_friction(state, island, use, Order::acceleration, slides);
@@ -121,7 +100,7 @@ ContactForces canonical_forces_with_friction(const System& system,
   CanonicalForces least;
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1),
                        std::vector<double>(use.size(), 0.0)};
-  result.residual = choose(friction, flat(accelerations), multiplier, uniqueness, least);
+  result.residual = choose(friction, unknowns(accelerations), multiplier, uniqueness, least);
   for (std::size_t k = 0; k < use.size(); ++k) {
     if (number[k] < 0) continue;  // an opening contact has no force
     const FrictionContact& c = friction.contacts[number[k]];
@@ -145,10 +124,9 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
   // What rods have to add to gravity and contact so that m_k a_k comes out.
   Eigen::Matrix<double, 2 * points_per_cube, 1> missing;
   for (int k = 0; k < points_per_cube; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    const Vec2 r = points.p[n] - s.position;
+    const Vec2 r = points.p[k] - s.position;
     const Vec2 a_k = point_acceleration(acceleration, s.spin, r);
-    missing.segment<2>(2 * k) = masses[n].mass * (a_k - system.gravity);
+    missing.segment<2>(2 * k) = masses[k].mass * (a_k - system.gravity);
   }
   const auto push = [&](const Contact& c, const SideRow& row, double force) {
     if (c.on == cube) missing.segment<2>(2 * c.corner) -= force * row.g_k;

@@ -22,15 +22,15 @@ struct ContactForces {
       unique;  ///< whether no other force here gives the same accelerations; all 0 if ignored
   /// N, along perp(normal) on the body of the corner; empty where nothing rubs.
   std::vector<double> tangential{};
-  /// QpResidual::worst(), or CoulombResidual::worst() where something rubs, of these very forces with
-  /// the accelerations.
+  /// Of these very forces: QpResidual::worst() with the accelerations, and body by body what they miss
+  /// of Newton's law in parts of the largest force on the body (ResidualMeter::imbalance); where
+  /// something rubs CoulombResidual::worst().
   double residual = 0.0;
 };
 
-/// Contact forces of least sum of squares that give the accelerations of `solution`, which must be
-/// optimal to about 1e-10. `accelerations` are those of its cubes as they are used (exactly zero in
-/// certified rest). Where none better are found the forces of `solution` are shown, with no claim
-/// that they are unique.
+/// Contact forces of least sum of squares that give `accelerations`: those of `solution` as they are
+/// used (exactly zero in certified rest). Where they cannot be found as exactly as the forces of
+/// `solution` balance, these are returned.
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,

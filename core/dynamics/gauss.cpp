@@ -18,39 +18,12 @@ constexpr double certain_fall = 9e-10;
 /// A cube may be left with this many times what the residual leaves of the largest force.
 constexpr double left_over_times = 2.0;
 
-/// What a guess of the pressing contacts must reach to be taken, up to how many cubes one is worth
-/// its linear algebra, and the longest pause, in solves, after guesses that failed.
-constexpr double guess_tolerance = 1e-11;
-constexpr std::size_t most_guessed_cubes = 64;
-constexpr int longest_pause = 64;
-
 /// Programs of so many cubes are solved exactly.
 constexpr std::size_t few_displaced_cubes = 24;
 constexpr std::size_t few_struck_cubes = 64;
 
-/// Small programs whose residual is above this are finished off as well: it costs next to nothing.
-constexpr double finished_residual = 1e-13;
-constexpr int small_program = 24;
-
 /// Contacts press with more than this share of the largest force.
 constexpr double pressing_share = 1e-9;
-
-/// Row times x less its bound.
-double slack(const QuadraticProgram& program, std::size_t row, const std::vector<double>& x) {
-  double sum = -program.bound[row];
-  for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
-    const auto block = static_cast<std::size_t>(program.entry_block[e]);
-    const std::span<const double> g = program.entry(e);
-    for (std::size_t k = 0; k < g.size(); ++k)
-      sum += g[k] * x[block * g.size() + k];
-  }
-  return sum;
-}
-
-void end_without_answer(const QpSolver& solver, QpStatus status) {
-  if (status == QpStatus::unavailable || status == QpStatus::invalid)
-    throw SolverError(std::string(solver.trouble()));
-}
 
 }  // namespace
 
@@ -64,9 +37,10 @@ IslandDynamics::IslandDynamics(const System& system,
                                const MotionSettings& settings,
                                const ProgramTolerances& tolerances)
     : system_(&system), settings_(settings), builder_(system, settings.formulation) {
-  impacts_ = {few_struck_cubes, tolerances.impact, {}};
-  corrections_ = {few_displaced_cubes, tolerances.correction, {}};
-  placements_ = {few_displaced_cubes, tolerances.placement, {}};
+  accelerations_.settings.by_block = true;
+  impacts_ = {few_struck_cubes, {tolerances.impact}, {}};
+  corrections_ = {few_displaced_cubes, {tolerances.correction}, {}};
+  placements_ = {few_displaced_cubes, {tolerances.placement}, {}};
 }
 
 bool IslandDynamics::still_passes(Memory& memory, double tolerance) const {
@@ -81,54 +55,16 @@ bool IslandDynamics::still_passes(Memory& memory, double tolerance) const {
   return true;
 }
 
-/// Contacts that pressed last time press again, mostly.
-bool IslandDynamics::guess(const Island& island, Memory& memory) {
-  if (!settings_.skips.warm_start || settings_.solver != QpMethod::automatic
-      || island.cubes.size() > most_guessed_cubes || settings_.formulation != Formulation::rigid
-      || memory.pressing.empty())
-    return false;
-  const int pause = std::min((1 << std::min(memory.failed_guesses, 16)) - 1, longest_pause);
-  if (memory.since_guess++ < pause) return false;
-  memory.since_guess = 0;
-  guess_from(island, memory);
-  const bool right = guess_.solve(builder_.program(), guess_tolerance, tight_, memory.result);
-  memory.failed_guesses = right ? 0 : memory.failed_guesses + 1;
-  return right;
-}
-
-void IslandDynamics::guess_from(const Island& island, const Memory& memory) {
-  tight_.clear();
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use_[k] == SideUse::none) continue;
-    tight_.push_back(std::ranges::binary_search(memory.pressing, island.contacts[k].id()) ? 1 : 0);
+void IslandDynamics::solve_anew(const QpSettings& settings, Memory& memory) {
+  if (!memory.solver || memory.tolerance != settings.tolerance) {
+    memory.solver = make_qp_solver(settings_.solver, settings);
+    memory.tolerance = settings.tolerance;
   }
-}
-
-/// Where a solver stops short of its goal it has nearly always found out which contacts press; with
-/// them as equalities the rest is one linear system.
-void IslandDynamics::finish_off(const Island& island, Memory& memory, double tolerance) {
-  if (settings_.solver != QpMethod::automatic || settings_.formulation != Formulation::rigid)
-    return;
-  remember_pressing(island, memory);
-  guess_from(island, memory);
-  QpResult finished;
-  if (guess_.solve(builder_.program(), tolerance, tight_, finished))
-    memory.result = std::move(finished);
-}
-
-void IslandDynamics::remember_pressing(const Island& island, Memory& memory) const {
-  memory.pressing.clear();
-  if (static_cast<int>(memory.result.multiplier.size()) != builder_.program().rows()) return;
-  auto row = static_cast<std::size_t>(builder_.first_contact_row());
-  double largest = 0.0;
-  for (const double force : memory.result.multiplier)
-    largest = std::max(largest, force);
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use_[k] == SideUse::none) continue;
-    if (memory.result.multiplier[row++] > pressing_share * largest)
-      memory.pressing.push_back(island.contacts[k].id());
-  }
-  std::ranges::sort(memory.pressing);
+  if (!settings_.skips.warm_start) memory.solver->forget();
+  memory.solver->solve(builder_.program(), memory.result);
+  const QpStatus status = memory.result.status;
+  if (status == QpStatus::unavailable || status == QpStatus::invalid)
+    throw SolverError(std::string(memory.solver->trouble()));
 }
 
 IslandSolution IslandDynamics::solve(const State& state, const Island& island, Memories& memories) {
@@ -136,27 +72,11 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   // Ipopt remembers nothing but is expensive to make: one for all.
   Memory& memory =
       memories.of_island[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
-  const double tolerance =
-      island.cubes.size() > memories.few_cubes ? memories.tolerance : QpSettings{}.tolerance;
+  QpSettings settings = memories.settings;
+  if (island.cubes.size() <= memories.few_cubes) settings.tolerance = QpSettings{}.tolerance;
   IslandSolution solution;
-  solution.skipped = still_passes(memory, tolerance);
-  if (!solution.skipped && !guess(island, memory)) {
-    if (!memory.solver || memory.tolerance != tolerance) {
-      memory.solver = make_qp_solver(settings_.solver, {.tolerance = tolerance});
-      memory.tolerance = tolerance;
-    }
-    if (!settings_.skips.warm_start) memory.solver->forget();
-    memory.solver->solve(program, memory.result);
-    end_without_answer(*memory.solver, memory.result.status);
-    const double reached = memory.result.residual.worst();
-    if (memory.result.status == QpStatus::inaccurate) {
-      finish_off(island, memory, tolerance);
-    } else if (memory.result.status == QpStatus::optimal && reached > finished_residual
-               && program.rows() <= small_program) {
-      finish_off(island, memory, 0.1 * reached);
-    }
-  }
-  if (!solution.skipped) remember_pressing(island, memory);
+  solution.skipped = still_passes(memory, settings.tolerance);
+  if (!solution.skipped) solve_anew(settings, memory);
   const QpResult& result = memory.result;
   solution.status = result.status;
   solution.residual = result.residual.worst();
@@ -170,11 +90,11 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
     return solution;
   }
   solution.twists = builder_.twists(state, island, result.x);
-  auto row = static_cast<std::size_t>(builder_.first_contact_row());
+  int row = builder_.first_contact_row();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     if (use_[k] == SideUse::none) continue;
     solution.forces[k] = result.multiplier[row];
-    solution.slacks[k] = slack(program, row, result.x);
+    solution.slacks[k] = program.slack(row, result.x);
     ++row;
   }
   return solution;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/dynamics/programs.h"
-#include "core/qp/active_set_guess.h"
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
@@ -78,29 +77,21 @@ class IslandDynamics {
     std::unique_ptr<QpSolver> solver;
     double tolerance = 0.0;  ///< of the solver
     QpResult result;
-    std::vector<ContactId> pressing;  ///< contacts with a force, sorted
-    int failed_guesses = 0;           ///< in a row
-    int since_guess = 0;              ///< solves since the last one
   };
   /// Of programs of one kind, by the first cube of the island.
   struct Memories {
     std::size_t few_cubes = 0;  ///< of an island that is solved exactly all the same
-    double tolerance = QpSettings{}.tolerance;
+    QpSettings settings;        ///< of larger ones
     std::map<int, Memory> of_island;
   };
 
   IslandSolution solve(const State& state, const Island& island, Memories& memories);
   [[nodiscard]] bool still_passes(Memory& memory, double tolerance) const;
-  bool guess(const Island& island, Memory& memory);
-  void guess_from(const Island& island, const Memory& memory);
-  void finish_off(const Island& island, Memory& memory, double tolerance);
-  void remember_pressing(const Island& island, Memory& memory) const;
+  void solve_anew(const QpSettings& settings, Memory& memory);
 
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
-  ActiveSetGuess guess_;
-  std::vector<char> tight_;
   std::vector<SideUse> use_;
   Memories accelerations_;
   Memories impacts_;

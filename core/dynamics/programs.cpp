@@ -14,6 +14,12 @@ std::array<Vec2, points_per_cube> arms_of(const CubePoints& points) {
   return arms;
 }
 
+/// The same for the same corner and side.
+std::int64_t name_of(const Contact& c) {
+  constexpr int body_bits = 29;
+  return (((std::int64_t{c.on} << body_bits) | c.from) << 4) | (c.corner << 2) | c.side;
+}
+
 }  // namespace
 
 void ProgramBuilder::begin(const State& state,
@@ -58,8 +64,8 @@ void ProgramBuilder::begin(const State& state,
 void ProgramBuilder::add_rods(const State& state, int cube, int first_block, Order order) {
   const CubePoints points = points_of(state[cube], system_->body(cube).size);
   for (const RodEnds& rod : cube_rods) {
-    const auto i = static_cast<std::size_t>(rod.i);
-    const auto j = static_cast<std::size_t>(rod.j);
+    const auto i = rod.i;
+    const auto j = rod.j;
     const double l_ij = (points.p[i] - points.p[j]).norm();
     // The cube is rigid here, so that displacements keep lengths to first order as velocities do.
     RodRow row = rod_velocity_row(points.p[i], points.p[j]);
@@ -106,6 +112,7 @@ void ProgramBuilder::add_entries(
     add_point_entries(contact, row);
     return;
   }
+  program_.row_name.push_back(name_of(contact));
   const ContactRow rigid = pull_back(*system_, state, contact, order, row);
   program_.bound[index] = -rigid.c;
   add_rigid_entries(contact, rigid);

@@ -24,16 +24,15 @@ bool all_finite(const std::vector<double>& values) {
 std::string_view size_defect(const QuadraticProgram& p) {
   const std::size_t rows = p.bound.size();
   if (p.block_size < 1) return "the block size is not positive";
-  if (p.mass.size() % static_cast<std::size_t>(p.block_size) != 0)
-    return "the masses do not fill whole blocks";
+  if (p.mass.size() % p.block_size != 0) return "the masses do not fill whole blocks";
   if (p.target.size() != p.mass.size()) return "there are not as many targets as masses";
   if (p.force_min.size() != rows || p.force_max.size() != rows)
     return "a row lacks its range of forces";
   if (p.row_start.size() != rows + 1 || p.row_start.front() != 0)
     return "the row starts do not fit the rows";
   if (!std::ranges::is_sorted(p.row_start)) return "the row starts do not increase";
-  if (static_cast<std::size_t>(p.entries()) != p.entry_block.size())
-    return "the row starts do not fit the entries";
+  if (!p.row_name.empty() && p.row_name.size() != rows) return "not all rows have a name";
+  if (p.entries() != std::ssize(p.entry_block)) return "the row starts do not fit the entries";
   if (p.coefficients.size() != p.entry_block.size() * p.block_size)
     return "the coefficients do not fit the entries";
   return {};

@@ -79,8 +79,13 @@ enum class QpMethod {
 std::string_view to_string(QpMethod method);
 
 struct QpSettings {
-  double tolerance =
-      1e-10;  ///< on QpResidual::worst(); smaller is slower and ends at rounding, about 1e-13
+  /// On QpResidual::worst(); smaller is slower and ends at rounding, about 1e-13.
+  double tolerance = 1e-10;
+  /// Of automatic: bodies that are light beside others are to be as exact as their own forces.
+  bool by_block = false;
+  /// Above this tolerance an answer within it is not improved, and newton, whose answers are exact or
+  /// none, is not tried.
+  [[nodiscard]] bool wants_exact() const { return tolerance <= 1e-9; }
 };
 
 std::unique_ptr<QpSolver> make_qp_solver(QpMethod method, const QpSettings& settings = {});

@@ -16,6 +16,7 @@
 /// so that friction needs no second problem type. Nothing here knows of cubes.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -40,6 +41,10 @@ struct QuadraticProgram {
   std::vector<int> entry_block;      ///< size row_start[m]
   std::vector<double> coefficients;  ///< size row_start[m] * block_size
 
+  /// Empty, or one per row: the same number for the same restriction in one program after another,
+  /// for solvers that remember.
+  std::vector<std::int64_t> row_name;
+
   [[nodiscard]] int unknowns() const { return static_cast<int>(mass.size()); }
   [[nodiscard]] int blocks() const { return block_size > 0 ? unknowns() / block_size : 0; }
   [[nodiscard]] int rows() const { return static_cast<int>(bound.size()); }
@@ -48,33 +53,40 @@ struct QuadraticProgram {
     return force_min[row] == -unbounded && force_max[row] == unbounded;
   }
   [[nodiscard]] std::span<const double> entry(int e) const {
-    return {coefficients.data() + e * block_size, static_cast<std::size_t>(block_size)};
+    return std::span<const double>(coefficients.data() + e * block_size, block_size);
   }
 
   /// start + J x of a row; `x` of size n.
-  [[nodiscard]] double row_value(int row,
-                                 const std::vector<double>& x,
-                                 double start = 0.0) const {
-    double sum = start;
-    for (int e = row_start[row]; e < row_start[row + 1]; ++e) {
-      const double* g = coefficients.data() + e * block_size;
-      const double* y = x.data() + entry_block[e] * block_size;
-      for (int c = 0; c < block_size; ++c)
-        sum += g[c] * y[c];
-    }
-    return sum;
+  [[nodiscard]] double row_value(int row, const std::vector<double>& x, double start = 0.0) const {
+    for_each_entry(row, [&](const double* J, int first, int size) {
+      for (int c = 0; c < size; ++c)
+        start += J[c] * x[first + c];
+    });
+    return start;
   }
   /// J x - b of a row.
   [[nodiscard]] double slack(int row, const std::vector<double>& x) const {
     return row_value(row, x, -bound[row]);
   }
-  /// forces += J' multiplier of a row; `forces` of size n.
-  void add_row_force(int row, double multiplier, std::vector<double>& forces) const {
+  /// forces += J' multiplier of a row; `forces` is a vector of size n.
+  template <typename Forces>
+  void add_row_force(int row, double multiplier, Forces&& forces) const {
+    for_each_entry(row, [&](const double* J, int first, int size) {
+      for (int c = 0; c < size; ++c)
+        forces[first + c] += J[c] * multiplier;
+    });
+  }
+  /// Calls visit(coefficients, first unknown, block_size) for every entry of a row.
+  template <typename Visit>
+  void for_each_entry(int row, const Visit& visit) const {
+    constexpr int usual_size = 3;  // known to the compiler it is faster
     for (int e = row_start[row]; e < row_start[row + 1]; ++e) {
-      const double* g = coefficients.data() + e * block_size;
-      double* f = forces.data() + entry_block[e] * block_size;
-      for (int c = 0; c < block_size; ++c)
-        f[c] += g[c] * multiplier;
+      const double* J = coefficients.data() + e * block_size;
+      if (block_size == usual_size) {
+        visit(J, entry_block[e] * usual_size, usual_size);
+      } else {
+        visit(J, entry_block[e] * block_size, block_size);
+      }
     }
   }
 
@@ -85,6 +97,7 @@ struct QuadraticProgram {
       v->clear();
     row_start.assign(1, 0);
     entry_block.clear();
+    row_name.clear();
   }
   /// Adds the block of `block_size` masses and targets; returns its number.
   int add_block(std::span<const double> masses, std::span<const double> targets) {

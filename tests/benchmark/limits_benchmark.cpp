@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "core/qp/block_cholesky.h"
-#include "core/qp/optimality_meter.h"
+#include "core/qp/block/block_cholesky.h"
 #include "core/qp/qp_solver.h"
+#include "core/qp/residual_meter.h"
 #include "render/deflate.h"
 #include "tests/benchmark/bench/clock.h"
 #include "tests/support/qp_zoo.h"
@@ -203,7 +203,7 @@ void print_certificate(const Machine& machine) {
   const auto solver = make_qp_solver(QpMethod::automatic);
   QpResult result;
   solver->solve(program, result);
-  OptimalityMeter meter;
+  ResidualMeter meter;
   meter.measure_scales(program);
   const double seconds = best_time(budget, [&] {
                            static_cast<void>(meter.measure(program, result.x, result.multiplier));

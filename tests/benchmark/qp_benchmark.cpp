@@ -15,8 +15,8 @@
 #include <time.h>
 #include <vector>
 
-#include "core/qp/optimality_meter.h"
 #include "core/qp/qp_solver.h"
+#include "core/qp/residual_meter.h"
 #include "tests/support/qp_zoo.h"
 
 namespace {
@@ -126,7 +126,7 @@ void run_certificate() {
   const auto solver = make_qp_solver(QpMethod::automatic);
   QpResult result;
   solver->solve(program, result);
-  OptimalityMeter meter;
+  ResidualMeter meter;
   double best = unbounded;
   double worst = 0.0;
   for (int round = 0; round < 200; ++round) {

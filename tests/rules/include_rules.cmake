@@ -53,7 +53,7 @@ set(scene ${geometry} core/scene/ toml\\+\\+/ nlohmann/ fmt/)
 set(model ${geometry} "core/scene/(scene|overlap)\\.h" core/model/)
 set(constraints ${model} core/constraints/)
 set(qp core/qp/ Ip[A-Z] coin Eigen/)
-set(dynamics ${constraints} core/dynamics/ "core/qp/(q|least_norm|canonical|equality|active_set|coulomb/)" ${settings})
+set(dynamics ${constraints} core/dynamics/ "core/qp/((quadratic_program|qp_solver|residual_meter|methods/(canonical_multipliers|equality_solver))\\.h|coulomb/)" ${settings})
 set(time ${dynamics} core/time/ core/snapshot\\.h core/scene/ core/check\\.h fmt/)
 
 foreach(folder IN LISTS known_core_folders)

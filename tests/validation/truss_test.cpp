@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/constraints/rod.h"
-#include "core/qp/least_norm_multipliers.h"
 #include "core/qp/qp_solver.h"
+#include "tests/support/qp_least_norm.h"
 #include "tests/support/reference_case.h"
 
 namespace wuerfel::test {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/qp/elimination_order.h"
+#include "core/qp/block/elimination_order.h"
 
 namespace wuerfel {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "core/qp/block_kernels.h"
+#include "core/qp/block/block_kernels.h"
 
 namespace wuerfel {
 

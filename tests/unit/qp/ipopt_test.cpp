@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/qp/least_norm_multipliers.h"
 #include "core/qp/qp_solver.h"
 #include "tests/support/max_norm.h"
+#include "tests/support/qp_least_norm.h"
 #include "tests/support/reference_program.h"
 
 namespace wuerfel {

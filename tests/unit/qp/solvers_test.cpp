@@ -240,6 +240,49 @@ TEST_P(EverySolver, HandlesBlocksOfAnySize) {
   }
 }
 
+/// Numbers of all sizes, so that rounding eats whatever a method lives on.
+QuadraticProgram wild_program(std::uint64_t seed) {
+  test::Dice dice(seed);
+  const auto number = [&] { return std::ldexp(dice.below(256) - 128.0, dice.below(200) - 100); };
+  QuadraticProgram program;
+  program.clear(1 + dice.below(4));
+  const auto numbers = [&](double least) {
+    std::vector<double> result(program.block_size);
+    for (double& v : result)
+      v = least > 0.0 ? std::abs(number()) + least : number();
+    return result;
+  };
+  const int blocks = 1 + dice.below(4);
+  for (int block = 0; block < blocks; ++block)
+    program.add_block(numbers(1e-6), numbers(0.0));
+  const int rows = dice.below(9);
+  for (int row = 0; row < rows; ++row) {
+    const int kind = dice.below(3);
+    const double bound = std::abs(number());
+    program.add_row(number(),
+                    kind == 0   ? -unbounded
+                    : kind == 1 ? 0.0
+                                : -bound,
+                    kind == 2 ? bound : unbounded);
+    for (int block = 0; block < blocks; ++block)
+      if (dice.below(2) == 0) program.add_entry(block, numbers(0.0));
+  }
+  return program;
+}
+
+/// Newton once went on for ever, with steps of no length, on one in some thousand of these.
+TEST_P(EverySolver, EndsOnNumbersOfAllSizes) {
+  if (GetParam() == QpMethod::ipopt) GTEST_SKIP() << "not ours";
+  for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+    const QuadraticProgram program = wild_program(seed);
+    const QpResult result = solved(GetParam(), program);
+    EXPECT_NE(result.status, QpStatus::invalid) << seed;
+    if (result.status == QpStatus::optimal) {
+      EXPECT_LE(optimality_residual(program, result.x, result.multiplier).worst(), 1e-10) << seed;
+    }
+  }
+}
+
 TEST_P(EverySolver, NamesWhatIsWrongWithAMalformedProgram) {
   const auto refuses = [](const QuadraticProgram& program) {
     const auto solver = make_qp_solver(GetParam());

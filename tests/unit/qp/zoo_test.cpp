@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/qp/block_solver.h"
-#include "core/qp/canonical_multipliers.h"
+#include "core/qp/automatic.h"
+#include "core/qp/methods/canonical_multipliers.h"
 #include "core/qp/qp_solver.h"
 #include "tests/support/max_norm.h"
 #include "tests/support/motion_programs.h"
@@ -221,8 +221,8 @@ TEST(Memory, KeepsCanonicalForcesIndependentOfThePast) {
 
 TEST(Kernels, GiveTheSameBitsOnEveryCpu) {
   if (__builtin_cpu_supports("avx2") == 0) GTEST_SKIP() << "this CPU has plain kernels only";
-  BlockSolver plain(QpMethod::automatic, {}, plain_block_kernels());
-  BlockSolver wide(QpMethod::automatic, {}, avx2_block_kernels());
+  AutomaticSolver plain({}, plain_block_kernels());
+  AutomaticSolver wide({}, avx2_block_kernels());
   QpResult a;
   QpResult b;
   for (int index = 0; index < 300; ++index) {

@@ -1,0 +1,51 @@
+/// Sparse Cholesky factors K = L D L' of matrices of 3x3 blocks. The symbolic part is kept as long
+/// as patterns fit into it.
+#pragma once
+
+#include <vector>
+
+#include "core/qp/block/block_kernels.h"
+
+namespace wuerfel {
+
+class BlockCholesky {
+ public:
+  explicit BlockCholesky(const BlockKernels& kernels) : kernels_(&kernels) {}
+
+  /// Plans the factors of matrices whose blocks (a, b) are coupled where `neighbour` says so (as in
+  /// elimination_order). `order` becomes the order of elimination, in which all that follows is
+  /// numbered.
+  void plan(int blocks,
+            const std::vector<int>& start,
+            const std::vector<int>& neighbour,
+            std::vector<int>& order);
+
+  /// Place of block (row, column), row >= column, both in the order of elimination; -1 if it is not
+  /// in the pattern of L.
+  [[nodiscard]] int place(int row, int column) const;
+  [[nodiscard]] int blocks() const { return blocks_; }
+  /// Number of blocks of L.
+  [[nodiscard]] int fill() const { return blocks_ > 0 ? column_start_.back() : 0; }
+
+  /// K = I + sum_i d_i g_i g_i'.
+  void factorise(const BlockRows& rows, const double* d);
+  /// v := K^-1 v.
+  void solve(Quad* v) const { kernels_->solve(view(), v); }
+
+ private:
+  [[nodiscard]] BlockFactor view() const;
+  void find_columns(const std::vector<int>& start,
+                    const std::vector<int>& neighbour,
+                    const std::vector<int>& order);
+  void list_rows();
+
+  const BlockKernels* kernels_;
+  int blocks_ = 0;
+  std::vector<int> column_start_, row_, list_start_, list_column_, list_place_;
+  std::vector<int> position_, mark_, first_child_, next_sibling_;
+  // Written by the numeric part only.
+  mutable std::vector<Quad> L_, pivot_, inverse_;
+  mutable std::vector<int> place_of_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,89 @@
+#include "core/qp/methods/active_set_method.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+constexpr int most_rounds = 8;
+/// Shares of the largest force and of the largest bound below which signs are rounding.
+constexpr double force_noise = 1e-13;
+constexpr double slack_noise = 1e-13;
+constexpr double exact = 1e-13;  ///< an error that is not worth refining
+
+}  // namespace
+
+/// Lets go of rows that pull and takes hold of rows that are violated. Whether any did either.
+bool ActiveSetMethod::revise(const QuadraticProgram& p,
+                             std::vector<char>& tight,
+                             QpResult& result) {
+  double largest_force = 0.0;
+  double largest_bound = 0.0;
+  for (const double force : result.multiplier)
+    largest_force = std::max(largest_force, std::abs(force));
+  for (const double b : p.bound)
+    largest_bound = std::max(largest_bound, std::abs(b));
+  bool changed = false;
+  for (int row = 0; row < p.rows(); ++row) {
+    if (tight[row] != 0) {
+      double& force = result.multiplier[row];
+      if (p.is_equality(row) || force >= 0.0) continue;
+      const bool pulls = force < -force_noise * largest_force;
+      force = 0.0;
+      if (!pulls) continue;
+      tight[row] = 0;
+      changed = true;
+    } else if (p.slack(row, result.x) < -slack_noise * largest_bound) {
+      tight[row] = 1;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+bool ActiveSetMethod::solve(const QuadraticProgram& program,
+                            double tolerance,
+                            std::vector<char>& tight,
+                            QpResult& result) {
+  for (int row = 0; row < program.rows(); ++row) {
+    const bool equality = program.is_equality(row);
+    if (!equality && (program.force_min[row] != 0.0 || program.force_max[row] != unbounded))
+      return false;
+    if (equality) tight[row] = 1;
+  }
+  if (!defect(program).empty()) return false;
+  for (int round = 1; round <= most_rounds; ++round) {
+    solver_.factorise(program, &tight);
+    solver_.solve(program, result.x, result.multiplier);
+    if (revise(program, tight, result)) continue;
+    result.residual = optimality_residual(program, result.x, result.multiplier);
+    result.iterations = round;
+    result.status = QpStatus::optimal;
+    return result.residual.worst() <= tolerance;
+  }
+  return false;
+}
+
+void ActiveSetMethod::refine(const QuadraticProgram& program,
+                             const std::vector<char>& tight,
+                             QpResult& result) {
+  meter_.measure_scales(program);
+  const auto error = [&](const QpResult& r) {
+    return std::max(r.residual.worst(), meter_.imbalance(program, r.x, r.multiplier));
+  };
+  const double before = error(result);
+  if (before <= exact) return;
+  refined_ = result;
+  for (int row = 0; row < program.rows(); ++row)
+    if (tight[row] == 0) refined_.multiplier[row] = 0.0;
+  solver_.factorise(program, &tight);
+  solver_.refine(program, refined_.x, refined_.multiplier);
+  for (int row = 0; row < program.rows(); ++row)
+    refined_.multiplier[row] =
+        std::clamp(refined_.multiplier[row], program.force_min[row], program.force_max[row]);
+  refined_.residual = meter_.measure(program, refined_.x, refined_.multiplier);
+  if (error(refined_) < before) std::swap(result, refined_);
+}
+
+}  // namespace wuerfel

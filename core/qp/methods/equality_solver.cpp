@@ -1,0 +1,224 @@
+#include "core/qp/methods/equality_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// A pivot below this share of its diagonal belongs to a row that depends on those before it.
+constexpr double dependent_share = 1e-11;
+
+/// Residuals are refined to this share of the bounds and of J f.
+constexpr double refined_share = 4e-16;
+constexpr int most_refinements = 3;
+
+/// Sum in four parts, which go on side by side.
+double dot(const double* a, const double* b, int n) {
+  double s0 = 0.0;
+  double s1 = 0.0;
+  double s2 = 0.0;
+  double s3 = 0.0;
+  int k = 0;
+  for (; k + 4 <= n; k += 4) {
+    s0 += a[k] * b[k];
+    s1 += a[k + 1] * b[k + 1];
+    s2 += a[k + 2] * b[k + 2];
+    s3 += a[k + 3] * b[k + 3];
+  }
+  for (; k < n; ++k)
+    s0 += a[k] * b[k];
+  return (s0 + s1) + (s2 + s3);
+}
+
+/// x += M^-1 row' * factor.
+void add_push(const QuadraticProgram& p, int row, double factor, std::vector<double>& x) {
+  p.for_each_entry(row, [&](const double* J, int first, int size) {
+    for (int c = 0; c < size; ++c)
+      x[first + c] += J[c] * factor / p.mass[first + c];
+  });
+}
+
+}  // namespace
+
+/// Reverse Cuthill-McKee order of the rows (George and Liu, chapter 4): neighbours, which share a
+/// block, get numbers close to each other. `rows_of_block` and the order are in numbers of `row_`.
+void EqualitySolver::find_order(const std::vector<std::vector<int>>& rows_of_block) {
+  std::vector<int> degree(row_.size(), 0);
+  for (const std::vector<int>& sharing : rows_of_block) {
+    for (const int i : sharing)
+      degree[i] += static_cast<int>(sharing.size());
+  }
+  const auto before = [&](int a, int b) {
+    return degree[a] != degree[b] ? degree[a] < degree[b] : a < b;
+  };
+  std::vector<char> seen(row_.size(), 0);
+  // Rows reached from `start`, level by level, appended to `order`.
+  const auto walk = [&](int start, std::vector<int>& order) {
+    std::size_t next = order.size();
+    order.push_back(start);
+    seen[start] = 1;
+    while (next < order.size()) {
+      const int row = row_[order[next++]];
+      const auto first = static_cast<std::ptrdiff_t>(order.size());
+      for (int e = row_start_[row]; e < row_start_[row + 1]; ++e) {
+        for (const int other : rows_of_block[entry_block_[e]]) {
+          if (seen[other] != 0) continue;
+          seen[other] = 1;
+          order.push_back(other);
+        }
+      }
+      std::sort(order.begin() + first, order.end(), before);
+    }
+  };
+  order_.clear();
+  std::vector<int> far;
+  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
+    if (seen[i] != 0) continue;
+    // The last row that is reached is a good end to begin from.
+    far.clear();
+    walk(i, far);
+    for (const int reached : far)
+      seen[reached] = 0;
+    walk(far.back(), order_);
+  }
+  std::ranges::reverse(order_);
+  for (int& i : order_)
+    i = row_[i];
+}
+
+bool EqualitySolver::fits(const QuadraticProgram& p, const std::vector<char>* tight) const {
+  const bool same_tight = tight != nullptr ? tight_ == *tight : tight_.empty();
+  return same_tight && row_start_ == p.row_start && entry_block_ == p.entry_block;
+}
+
+void EqualitySolver::find_envelope(const QuadraticProgram& p) {
+  couplings_.clear();
+  std::vector<std::vector<int>> rows_of_block(p.blocks());
+  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
+    for (int e = row_start_[row_[i]]; e < row_start_[row_[i] + 1]; ++e)
+      rows_of_block[entry_block_[e]].push_back(i);
+  }
+  find_order(rows_of_block);
+  std::vector<std::vector<std::pair<int, int>>> places_of_block(rows_of_block.size());
+  first_.assign(row_.size(), 0);
+  start_.assign(row_.size(), 0);
+  std::ptrdiff_t size = 0;
+  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
+    int first = i;
+    for (int e = row_start_[order_[i]]; e < row_start_[order_[i] + 1]; ++e) {
+      auto& others = places_of_block[entry_block_[e]];
+      others.emplace_back(i, e);
+      for (const auto& [j, f] : others) {
+        couplings_.push_back({i, j, e, f});
+        first = std::min(first, j);
+      }
+    }
+    first_[i] = first;
+    start_[i] = size - first;
+    size += i - first + 1;
+  }
+  factor_.resize(size);
+  inverse_.resize(row_.size());
+}
+
+/// J M^-1 J' over the tight rows, in the order of elimination.
+void EqualitySolver::assemble(const QuadraticProgram& p) {
+  std::ranges::fill(factor_, 0.0);
+  for (const Coupling& c : couplings_) {
+    const double* g = p.coefficients.data() + c.entry_i * p.block_size;
+    const double* h = p.coefficients.data() + c.entry_j * p.block_size;
+    const double* m = p.mass.data() + entry_block_[c.entry_i] * p.block_size;
+    double sum = 0.0;
+    for (int k = 0; k < p.block_size; ++k)
+      sum += g[k] * h[k] / m[k];
+    at(c.i, c.j) += sum;
+  }
+}
+
+void EqualitySolver::factorise(const QuadraticProgram& p, const std::vector<char>* tight) {
+  if (!fits(p, tight)) {
+    row_start_ = p.row_start;
+    entry_block_ = p.entry_block;
+    tight_.clear();
+    if (tight != nullptr) tight_ = *tight;
+    row_.clear();
+    for (int row = 0; row < p.rows(); ++row)
+      if (tight == nullptr || (*tight)[row] != 0) row_.push_back(row);
+    find_envelope(p);
+  }
+  assemble(p);
+  dependent_ = 0;
+  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
+    const int first = first_[i];
+    double* row = &factor_[place(i, first)];
+    double squares = 0.0;
+    for (int j = first; j < i; ++j) {
+      const int from = std::max(first, first_[j]);
+      const double* a = row + (from - first);
+      const double* b = &factor_[place(j, from)];
+      const double sum = (row[j - first] - dot(a, b, j - from)) * inverse_[j];
+      row[j - first] = sum;
+      squares += sum * sum;
+    }
+    const double diagonal = row[i - first];
+    const double pivot = diagonal - squares;
+    const bool independent = pivot > dependent_share * diagonal;
+    if (!independent) ++dependent_;
+    row[i - first] = independent ? std::sqrt(pivot) : 0.0;
+    inverse_[i] = independent ? 1.0 / row[i - first] : 0.0;
+  }
+}
+
+/// r := S^-1 r over the rows that are kept, 0 on the others.
+void EqualitySolver::substitute(std::vector<double>& r) const {
+  const int rows = static_cast<int>(r.size());
+  for (int i = 0; i < rows; ++i) {
+    double sum = r[i];
+    for (int j = first_[i]; j < i; ++j)
+      sum -= at(i, j) * r[j];
+    r[i] = sum * inverse_[i];
+  }
+  for (int i = rows - 1; i >= 0; --i) {
+    const double x = r[i] * inverse_[i];
+    r[i] = x;
+    for (int j = first_[i]; j < i; ++j)
+      r[j] -= at(i, j) * x;
+  }
+}
+
+void EqualitySolver::solve(const QuadraticProgram& p,
+                           std::vector<double>& x,
+                           std::vector<double>& multiplier) {
+  multiplier.assign(p.rows(), 0.0);
+  refine(p, x, multiplier);
+}
+
+void EqualitySolver::refine(const QuadraticProgram& p,
+                            std::vector<double>& x,
+                            std::vector<double>& multiplier) {
+  x = p.target;
+  for (const int row : order_)
+    if (multiplier[row] != 0.0) add_push(p, row, multiplier[row], x);
+  residual_.resize(row_.size());
+  double scale = 0.0;
+  for (int round = 0; round <= most_refinements; ++round) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const double b = p.bound[order_[i]];
+      const double reached = p.row_value(order_[i], x);
+      residual_[i] = b - reached;
+      if (round == 0) scale = std::max({scale, std::abs(b), std::abs(reached)});
+      if (inverse_[i] != 0.0) worst = std::max(worst, std::abs(b - reached));
+    }
+    if (worst <= refined_share * scale) return;
+    substitute(residual_);
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      if (residual_[i] == 0.0) continue;
+      multiplier[order_[i]] += residual_[i];
+      add_push(p, order_[i], residual_[i], x);
+    }
+  }
+}
+
+}  // namespace wuerfel

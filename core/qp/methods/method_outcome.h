@@ -1,0 +1,34 @@
+/// What the two methods report, and how both measure their progress.
+#pragma once
+
+#include <vector>
+
+#include "core/qp/block/least_distance.h"
+#include "core/qp/residual_meter.h"
+
+namespace wuerfel {
+
+enum class MethodEnd { reached, stalled, infeasible };
+
+struct MethodOutcome {
+  MethodEnd end = MethodEnd::stalled;
+  double worst = 0.0;  ///< the residual found while solving
+  int factorisations = 0;
+};
+
+/// The worst row of a point y = G' lambda with rest = h - G y, as QpResidual measures it;
+/// stationarity is exact there.
+double worst_row(const LeastDistance& problem,
+                 const ResidualScales& scales,
+                 const std::vector<double>& rest,
+                 const std::vector<double>& lambda);
+
+/// Whether `direction` proves that no point satisfies the rows (Farkas): v >= 0 on inequalities
+/// with |G' v| R < h' v shows that every solution has |y| > R; R = 1e7 times the size of the
+/// problem counts as none. `scratch` is memory.
+bool proves_infeasible(const LeastDistance& problem,
+                       const std::vector<double>& direction,
+                       std::vector<double>& v,
+                       std::vector<Quad>& scratch);
+
+}  // namespace wuerfel
