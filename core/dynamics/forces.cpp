@@ -39,11 +39,10 @@ double choose(const FrictionProgram& friction,
   CanonicalFriction().find(friction, x, given, uniqueness == Uniqueness::asked, least);
   const double residual = coulomb_residual(friction, x, least.multiplier).worst();
   if (residual <= CoulombSettings{}.tolerance) return residual;
-  const double of_given = coulomb_residual(friction, x, given).worst();
-  if (of_given >= residual) return residual;
-  least.multiplier = given;
   least.unique.assign(friction.contacts.size(), false);
-  return of_given;
+  const double of_given = coulomb_residual(friction, x, given).worst();
+  if (of_given < residual) least.multiplier = given;
+  return std::min(residual, of_given);
 }
 
 }  // namespace
