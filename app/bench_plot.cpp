@@ -10,8 +10,8 @@
 
 #include "app/bench_scenes.h"
 #include "app/text_output.h"
-#include "render/child_process.h"
 #include "render/error.h"
+#include "render/files/child_process.h"
 
 namespace wuerfel {
 

@@ -6,8 +6,9 @@
 
 #include <fmt/core.h>
 
+#include "app/picture_values.h"
+#include "core/scene/suggestion.h"
 #include "render/error.h"
-#include "render/nearest_name.h"
 
 namespace wuerfel {
 
@@ -22,8 +23,7 @@ const SnapshotBox& find_body(const std::string& name, const Snapshot& snapshot) 
   std::vector<std::string_view> names;
   for (const SnapshotBox& box : snapshot.boxes)
     names.push_back(box.name);
-  throw RenderError(
-      fmt::format("--view: there is no body '{}'{}", name, nearest_name_hint(name, names)));
+  throw RenderError(fmt::format("--view: there is no body '{}'{}", name, suggestion(name, names)));
 }
 
 }  // namespace

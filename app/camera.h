@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/snapshot.h"
-#include "render/view.h"
+#include "render/picture/view.h"
 
 namespace wuerfel {
 
@@ -22,7 +22,7 @@ struct Camera {
   double zoom = 1.0;  ///< > 1: nearer
 };
 
-/// "fit", "x,y,width" in metres or "follow:NAME". Throws RenderError.
+/// "fit", "x,y,width" in metres or "follow:NAME". Throws UsageError.
 Camera parse_camera(std::string_view text);
 
 /// The options that parse_camera and --zoom understand, with every number in full.

@@ -12,7 +12,7 @@
 #include "app/stopwatch.h"
 #include "app/timetable.h"
 #include "core/settings.h"
-#include "render/compare.h"
+#include "render/raster/compare.h"
 
 namespace wuerfel {
 

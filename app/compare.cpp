@@ -1,4 +1,4 @@
-#include "render/compare.h"
+#include "render/raster/compare.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,8 +14,8 @@
 #include "app/picture_pairs.h"
 #include "app/text_output.h"
 #include "render/error.h"
-#include "render/output_file.h"
-#include "render/png.h"
+#include "render/files/output_file.h"
+#include "render/files/png.h"
 
 namespace wuerfel {
 

@@ -4,7 +4,7 @@
 #include "app/commands.h"
 #include "app/still.h"
 #include "render/error.h"
-#include "render/output_file.h"
+#include "render/files/output_file.h"
 
 namespace wuerfel {
 

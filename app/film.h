@@ -10,7 +10,7 @@
 #include "app/recording.h"
 #include "app/stop_signal.h"
 #include "app/trails.h"
-#include "render/frame_pipeline.h"
+#include "render/pipeline/frame_pipeline.h"
 
 namespace wuerfel {
 

@@ -10,12 +10,12 @@
 #include "app/recording.h"
 #include "core/scene/scene.h"
 #include "core/time/simulation.h"
-#include "render/animation.h"
-#include "render/force_scale.h"
-#include "render/frame_options.h"
-#include "render/layers.h"
-#include "render/png.h"
-#include "render/style.h"
+#include "render/files/animation.h"
+#include "render/files/png.h"
+#include "render/picture/force_scale.h"
+#include "render/picture/frame_options.h"
+#include "render/picture/layers.h"
+#include "render/picture/style.h"
 
 namespace wuerfel {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/frame_folder.h"
-#include "render/animation.h"
-#include "render/frame_pipeline.h"
+#include "render/files/animation.h"
+#include "render/pipeline/frame_pipeline.h"
 
 namespace wuerfel {
 

@@ -10,8 +10,8 @@
 #include "app/still.h"
 #include "app/text_output.h"
 #include "core/scene/scene_parser.h"
-#include "render/compare.h"
 #include "render/error.h"
+#include "render/raster/compare.h"
 
 namespace wuerfel {
 
@@ -43,7 +43,7 @@ StillOptions parse_options(const std::string& text, const std::string& path) {
     parser.parse(text, false);
   } catch (const CLI::ParseError& error) {
     throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
-  } catch (const RenderError& error) {
+  } catch (const UsageError& error) {
     throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
   }
   return options;

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/picture_options.h"
-#include "render/nearest_name.h"
+#include "core/scene/suggestion.h"
 
 namespace wuerfel {
 
@@ -39,8 +39,8 @@ void require_body(const Camera& camera, const Scene& scene) {
   for (const SceneCube& cube : scene.cubes)
     names.push_back(cube.name);
   if (std::ranges::find(names, camera.body) != names.end()) return;
-  throw UsageError(fmt::format("--view: there is no cube '{}'{}", camera.body,
-                               nearest_name_hint(camera.body, names)));
+  throw UsageError(
+      fmt::format("--view: there is no cube '{}'{}", camera.body, suggestion(camera.body, names)));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "app/shipped_scenes.h"
 #include "core/scene/scene_parser.h"
-#include "render/nearest_name.h"
+#include "core/scene/suggestion.h"
 
 namespace wuerfel {
 
@@ -48,7 +48,7 @@ std::string read_file(const std::string& path) {
   for (const ShippedScene& scene : shipped_scenes())
     names.push_back(scene.name);
   throw SceneError(fmt::format("{}: no such file, and no shipped scene of that name{}", source,
-                               nearest_name_hint(source, names)));
+                               suggestion(source, names)));
 }
 
 /// Says what a scene asks for that the program does not compute, so that nothing is left out

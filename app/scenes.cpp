@@ -4,7 +4,7 @@
 #include "app/shipped_scenes.h"
 #include "app/text_output.h"
 #include "core/scene/scene_parser.h"
-#include "render/nearest_name.h"
+#include "core/scene/suggestion.h"
 
 namespace wuerfel {
 
@@ -33,7 +33,7 @@ ExitCode scenes(const std::string& name) {
   std::vector<std::string_view> names;
   for (const ShippedScene& scene : shipped_scenes())
     names.push_back(scene.name);
-  throw UsageError(fmt::format("there is no scene '{}'{}", name, nearest_name_hint(name, names)));
+  throw UsageError(fmt::format("there is no scene '{}'{}", name, suggestion(name, names)));
 }
 
 }  // namespace wuerfel

@@ -9,8 +9,8 @@
 #include "app/progress.h"
 #include "app/trails.h"
 #include "core/scene/scene_parser.h"
-#include "render/compose_frame.h"
-#include "render/renderer.h"
+#include "render/picture/compose_frame.h"
+#include "render/raster/renderer.h"
 
 namespace wuerfel {
 

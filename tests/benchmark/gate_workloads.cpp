@@ -15,8 +15,8 @@
 #include "app/bench_scenes.h"
 #include "core/qp/qp_solver.h"
 #include "core/time/simulation.h"
-#include "render/compose_frame.h"
-#include "render/png.h"
+#include "render/files/png.h"
+#include "render/picture/compose_frame.h"
 #include "tests/support/qp_zoo.h"
 
 namespace {

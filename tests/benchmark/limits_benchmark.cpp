@@ -18,7 +18,7 @@
 #include "core/qp/block_cholesky.h"
 #include "core/qp/optimality_meter.h"
 #include "core/qp/qp_solver.h"
-#include "render/deflate.h"
+#include "render/files/deflate.h"
 #include "tests/support/qp_zoo.h"
 
 namespace {

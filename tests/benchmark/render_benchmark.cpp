@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "render/animation.h"
-#include "render/compose_frame.h"
-#include "render/draw_frame.h"
-#include "render/frame_pipeline.h"
-#include "render/png.h"
+#include "render/files/animation.h"
+#include "render/files/png.h"
+#include "render/picture/compose_frame.h"
+#include "render/pipeline/frame_pipeline.h"
+#include "render/raster/draw_frame.h"
 
 namespace wuerfel {
 namespace {

@@ -1,0 +1,84 @@
+/// PNG files: pixels and the texts they carry.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "render/raster/image.h"
+
+namespace wuerfel {
+
+/// A text chunk. ASCII is written as tEXt, or zTXt where it is long; all else as iTXt (UTF-8).
+struct PngText {
+  std::string key;    ///< 1 to 79 Latin letters, digits, spaces
+  std::string value;  ///< UTF-8
+  friend bool operator==(const PngText&, const PngText&) = default;
+};
+
+struct PngFile {
+  Image image;
+  std::vector<PngText> texts;
+};
+
+enum class PngChannels {
+  automatic,  ///< RGB where the image is opaque, else RGBA
+  rgb,        ///< alpha is left out
+  rgba,
+};
+
+/// Who compresses. Bytes and sizes differ, pixels don't.
+enum class PngEncoder {
+  run_length,  ///< our own (deflate.h), several times faster than zlib's fastest
+  libpng,      ///< zlib level 1 without filters
+};
+/// "run-length", "libpng", else "?".
+std::string_view to_string(PngEncoder encoder);
+
+/// The compressed pixels of a PNG file, to be used again with other texts.
+struct CompressedImage {
+  int width = 0;
+  int height = 0;
+  bool alpha = false;
+  std::vector<std::uint8_t> stream;  ///< zlib, as it stands in IDAT
+  std::uint32_t check_sum = 0;       ///< of the IDAT chunk
+};
+CompressedImage compress_image(const Image& image,
+                               PngEncoder encoder = PngEncoder::run_length,
+                               PngChannels channels = PngChannels::automatic);
+
+/// The same into an object that was used before, whose memory is taken again.
+void compress_image(const Image& image,
+                    PngEncoder encoder,
+                    PngChannels channels,
+                    CompressedImage& compressed);
+
+/// The chunks of these texts, to be used in several files.
+std::vector<std::uint8_t> text_chunks(std::span<const PngText> texts);
+
+/// Makes `file` a PNG file of chunks that are there already.
+void assemble_png(const CompressedImage& image,
+                  std::span<const std::uint8_t> text_chunks,
+                  std::vector<std::uint8_t>& file);
+
+/// Both in one. The same image and texts give the same bytes.
+std::vector<std::uint8_t> encode_png(const Image& image,
+                                     std::span<const PngText> texts = {},
+                                     PngEncoder encoder = PngEncoder::run_length);
+
+/// Reads what any program wrote (palette, grey, 16 bits become RGBA8). Throws RenderError on
+/// damaged data.
+PngFile decode_png(std::span<const std::uint8_t> bytes);
+
+/// Throws RenderError where the file is missing or no PNG; the message names it.
+PngFile read_png(const std::string& path);
+
+/// The file appears whole or not at all. Throws OutputError with the path and the system's reason.
+void write_png(const std::string& path,
+               const Image& image,
+               std::span<const PngText> texts = {},
+               PngEncoder encoder = PngEncoder::run_length);
+
+}  // namespace wuerfel
