@@ -34,7 +34,7 @@ struct PictureOptions {
   std::optional<ForceScaleChoice> force_scale;  ///< none: fits the run, as do the next two
   std::optional<double> velocity_scale;         ///< m of arrow per m/s
   std::optional<double> rod_scale;              ///< N that make a rod as thick as it gets
-  PngEncoder encoder = PngEncoder::run_length;  ///< changes files, not pictures
+  PngEncoder encoder = PngEncoder::isa_l;       ///< changes files, not pictures
 };
 
 /// "S" or "S,LONGEST,SMALLEST". Throws UsageError.

@@ -33,9 +33,10 @@ ApngWriter::ApngWriter(const std::string& path, const AnimationSettings& setting
   }
 }
 
-void ApngWriter::begin(const CompressedImage& first) {
+/// The signature and the chunks before the first frame's.
+void ApngWriter::begin() {
   std::vector<std::uint8_t> still;
-  assemble_png(first, {}, still);
+  assemble_png(frame_, {}, still);
   buffer_.assign(still.begin(), still.begin() + static_cast<std::ptrdiff_t>(animation_control_at));
   const std::vector<std::uint8_t> control = animation_control(0);
   buffer_.insert(buffer_.end(), control.begin(), control.end());
@@ -67,12 +68,12 @@ void ApngWriter::add(const Image& frame) {
                                   frame.height(), settings_.width, settings_.height));
   }
   const PngChannels channels = settings_.transparent ? PngChannels::rgba : PngChannels::rgb;
-  const CompressedImage compressed = compress_image(frame, PngEncoder::run_length, channels);
+  compressor_.compress(frame, channels, frame_);
   buffer_.clear();
-  if (frames_ == 0) begin(compressed);
+  if (frames_ == 0) begin();
   add_control(settings_.width, settings_.height);
-  add_data(compressed);
-  corner_ = compress_image(Image(1, 1, frame.at(0, 0)), PngEncoder::run_length, channels);
+  add_data(frame_);
+  compressor_.compress(Image(1, 1, frame.at(0, 0)), channels, corner_);
 }
 
 void ApngWriter::repeat() {

@@ -20,13 +20,15 @@ class ApngWriter final : public AnimationWriter {
   void finish() override;
 
  private:
-  void begin(const CompressedImage& first);
+  void begin();
   void add_control(int width, int height);
   void add_data(const CompressedImage& image);
   AnimationSettings settings_;
   OutputFile output_;
   std::uint32_t frames_ = 0;
   std::uint32_t sequence_ = 0;  ///< of control and data chunks
+  ImageCompressor compressor_;
+  CompressedImage frame_;
   CompressedImage
       corner_;  ///< the upper left pixel of the last frame: drawing it again changes nothing
   std::vector<std::uint8_t> buffer_;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +12,10 @@
 #include "render/raster/image.h"
 
 namespace wuerfel {
+
+namespace internal {
+class IsalDeflate;
+}
 
 /// A text chunk. ASCII is written as tEXt, or zTXt where it is long; all else as iTXt (UTF-8).
 struct PngText {
@@ -29,12 +35,13 @@ enum class PngChannels {
   rgba,
 };
 
-/// Who compresses. Bytes and sizes differ, pixels don't.
+/// Who compresses. Pixels are equal everywhere; bytes are equal for one encoder and one class of
+/// processors.
 enum class PngEncoder {
-  run_length,  ///< our own (deflate.h), several times faster than zlib's fastest
-  libpng,      ///< zlib level 1 without filters
+  isa_l,   ///< ISA-L level 1: four to eight times faster than zlib's fastest
+  libpng,  ///< zlib level 1: everywhere the same bytes for one version of zlib
 };
-/// "run-length", "libpng", else "?".
+/// "isa-l", "libpng", else "?".
 std::string_view to_string(PngEncoder encoder);
 
 /// The compressed pixels of a PNG file, to be used again with other texts.
@@ -45,15 +52,29 @@ struct CompressedImage {
   std::vector<std::uint8_t> stream;  ///< zlib, as it stands in IDAT
   std::uint32_t check_sum = 0;       ///< of the IDAT chunk
 };
-CompressedImage compress_image(const Image& image,
-                               PngEncoder encoder = PngEncoder::run_length,
-                               PngChannels channels = PngChannels::automatic);
 
-/// The same into an object that was used before, whose memory is taken again.
-void compress_image(const Image& image,
-                    PngEncoder encoder,
-                    PngChannels channels,
-                    CompressedImage& compressed);
+/// Compresses one picture after the other and keeps its memory.
+class ImageCompressor {
+ public:
+  /// Throws LibraryError where the encoder is missing.
+  explicit ImageCompressor(PngEncoder encoder = PngEncoder::isa_l);
+  ~ImageCompressor();
+  ImageCompressor(const ImageCompressor&) = delete;
+  ImageCompressor& operator=(const ImageCompressor&) = delete;
+  ImageCompressor(ImageCompressor&&) = delete;
+  ImageCompressor& operator=(ImageCompressor&&) = delete;
+
+  /// Into an object that may have been used before, whose memory is taken again. Who knows that
+  /// the rows outside of `changed` are as in the call before saves their work; the result is the
+  /// same.
+  void compress(const Image& image,
+                PngChannels channels,
+                CompressedImage& compressed,
+                std::optional<RowRange> changed = {});
+
+ private:
+  std::unique_ptr<internal::IsalDeflate> isal_;  ///< none: libpng
+};
 
 /// The chunks of these texts, to be used in several files.
 std::vector<std::uint8_t> text_chunks(std::span<const PngText> texts);
@@ -66,10 +87,11 @@ void assemble_png(const CompressedImage& image,
 /// Both in one. The same image and texts give the same bytes.
 std::vector<std::uint8_t> encode_png(const Image& image,
                                      std::span<const PngText> texts = {},
-                                     PngEncoder encoder = PngEncoder::run_length);
+                                     PngEncoder encoder = PngEncoder::isa_l);
 
-/// Reads what any program wrote (palette, grey, 16 bits become RGBA8). Throws RenderError on
-/// damaged data.
+/// Reads what any program wrote (palette, grey, 16 bits become RGBA8). In texts, control characters
+/// other than line breaks and tabs, and what is no UTF-8, become U+FFFD. Throws RenderError on
+/// damaged data, on pictures larger than their data can be and on texts of more than 256 MB.
 PngFile decode_png(std::span<const std::uint8_t> bytes);
 
 /// Throws RenderError where the file is missing or no PNG; the message names it.
@@ -79,6 +101,6 @@ PngFile read_png(const std::string& path);
 void write_png(const std::string& path,
                const Image& image,
                std::span<const PngText> texts = {},
-               PngEncoder encoder = PngEncoder::run_length);
+               PngEncoder encoder = PngEncoder::isa_l);
 
 }  // namespace wuerfel

@@ -1,26 +1,34 @@
 #include "render/pipeline/frame_pipeline.h"
 
+#include <string>
+#include <system_error>
 #include <utility>
 
+#include "render/error.h"
 #include "render/picture/compose_frame.h"
 #include "render/raster/renderer.h"
 
 namespace wuerfel {
 
 FramePipeline::FramePipeline(PipelineSettings settings, PipelineOutputs outputs)
-    : settings_(std::move(settings)),
-      outputs_(std::move(outputs)),
-      all_texts_(text_chunks(settings_.texts)) {
+    : settings_(std::move(settings)), outputs_(std::move(outputs)) {
   for (std::size_t slot = 0; slot < slots; ++slot)
     free_slots_.push(slot);
-  drawing_ = std::thread([this] { run_guarded(&FramePipeline::draw_frames); });
-  for (int i = 0; i < settings_.encoding_threads; ++i)
-    encoding_.emplace_back([this] { run_guarded(&FramePipeline::encode_frames); });
+  start();
 }
 
 FramePipeline::~FramePipeline() {
   close_queues();
   join();
+}
+
+void FramePipeline::start() try {
+  threads_[0] = std::thread([this] { run_guarded(&FramePipeline::draw_frames); });
+  threads_[1] = std::thread([this] { run_guarded(&FramePipeline::encode_frames); });
+} catch (const std::system_error& error) {
+  close_queues();
+  join();
+  throw OutputError(std::string("cannot start a thread that draws: ") + error.what());
 }
 
 /// What a thread throws is kept for the caller, and all queues are closed so that nobody waits for
@@ -41,16 +49,11 @@ void FramePipeline::close_queues() {
   jobs_.close();
   drawn_.close();
   free_slots_.close();
-  const std::scoped_lock lock(turn_mutex_);
-  stopped_ = true;
-  turn_changed_.notify_all();
 }
 
 void FramePipeline::join() {
-  if (drawing_.joinable()) drawing_.join();
-  for (std::thread& thread : encoding_) {
+  for (std::thread& thread : threads_)
     if (thread.joinable()) thread.join();
-  }
 }
 
 void FramePipeline::rethrow_failure() {
@@ -74,9 +77,8 @@ void FramePipeline::draw_frames() {
   DrawList last;
   std::optional<std::uint64_t> last_revision;
   View last_view;
-  std::uint64_t number = 0;
   while (std::optional<FrameJob> job = jobs_.pop()) {
-    Drawn frame{number++, std::nullopt, std::move(job->texts)};
+    Drawn frame{std::nullopt, {}, std::move(job->texts)};
     // Equal revisions differ in the time alone; equal lists are equal pictures.
     const bool known =
         !shows_time && last_revision == job->snapshot.revision && last_view == job->view;
@@ -86,7 +88,7 @@ void FramePipeline::draw_frames() {
       if (!last_revision || list != last) {
         frame.slot = free_slots_.pop();
         if (!frame.slot) return;
-        renderer.draw(list, images_.at(*frame.slot));
+        frame.changed = renderer.draw(list, images_.at(*frame.slot));
         last = std::move(list);
       }
       last_revision = job->snapshot.revision;
@@ -101,22 +103,26 @@ void FramePipeline::draw_frames() {
 void FramePipeline::encode_frames() {
   const bool opaque = settings_.style.background.a == 255;
   const PngChannels channels = opaque ? PngChannels::rgb : PngChannels::rgba;
-  CompressedImage compressed;
+  const std::vector<std::uint8_t> all_texts = text_chunks(settings_.texts);
+  std::optional<ImageCompressor> compressor;
+  if (outputs_.take_png) compressor.emplace(settings_.encoder);
+  CompressedImage compressed;  // the last picture
+  std::vector<std::uint8_t> file;
   while (const std::optional<Drawn> frame = drawn_.pop()) {
-    if (frame->slot && outputs_.take_png)
-      compress_image(images_.at(*frame->slot), settings_.encoder, channels, compressed);
-    std::unique_lock turn(turn_mutex_);
-    turn_changed_.wait(turn, [&] { return stopped_ || turn_ == frame->number; });
-    if (stopped_) return;
-    if (frame->slot) std::swap(compressed_, compressed);
-    write_frame(*frame);
+    add_to_films(*frame);
+    if (compressor) {
+      if (frame->slot)
+        compressor->compress(images_.at(*frame->slot), channels, compressed, frame->changed);
+      std::vector<std::uint8_t> texts = text_chunks(frame->texts);
+      texts.insert(texts.end(), all_texts.begin(), all_texts.end());
+      assemble_png(compressed, texts, file);
+      outputs_.take_png(file);
+    }
     if (frame->slot) free_slots_.push(*frame->slot);
-    ++turn_;
-    turn_changed_.notify_all();
   }
 }
 
-void FramePipeline::write_frame(const Drawn& frame) {
+void FramePipeline::add_to_films(const Drawn& frame) {
   for (AnimationWriter* film : outputs_.films) {
     if (frame.slot) {
       film->add(images_.at(*frame.slot));
@@ -124,11 +130,6 @@ void FramePipeline::write_frame(const Drawn& frame) {
       film->repeat();
     }
   }
-  if (!outputs_.take_png) return;
-  std::vector<std::uint8_t> texts = text_chunks(frame.texts);
-  texts.insert(texts.end(), all_texts_.begin(), all_texts_.end());
-  assemble_png(compressed_, texts, file_);
-  outputs_.take_png(file_);
 }
 
 }  // namespace wuerfel

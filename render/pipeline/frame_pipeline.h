@@ -4,9 +4,6 @@
 
 #include <array>
 #include <atomic>
-#include <condition_variable>
-#include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -18,7 +15,6 @@
 #include "core/snapshot.h"
 #include "render/files/animation.h"
 #include "render/files/png.h"
-#include "render/picture/draw_list.h"
 #include "render/picture/frame_options.h"
 #include "render/picture/style.h"
 #include "render/picture/view.h"
@@ -32,8 +28,7 @@ struct PipelineSettings {
   Style style;
   FrameOptions options;
   std::vector<PngText> texts;  ///< of every PNG; compressed once
-  PngEncoder encoder = PngEncoder::run_length;
-  int encoding_threads = 2;  ///< that compress PNG; files are the same for any number
+  PngEncoder encoder = PngEncoder::isa_l;
 };
 
 /// What is to be drawn, how it is looked at, and what its PNG says of it.
@@ -51,11 +46,13 @@ struct PipelineOutputs {
       films;  ///< outlive the pipeline; finishing them is left to their owner
 };
 
-/// The thread that adds frames simulates; a second one draws, and others compress different frames
-/// at a time and write them one after the other in their order. Memory holds a few frames whatever
-/// their number. A frame that looks like the one before is neither drawn nor compressed again.
+/// The thread that adds frames simulates; a second one draws, a third one encodes and writes.
+/// Pictures are drawn into one of a few images and encoded from there: nothing is copied, and
+/// memory does not grow with their number. A frame that looks like the one before is neither drawn
+/// nor compressed again.
 class FramePipeline {
  public:
+  /// Throws OutputError where the threads cannot be started.
   FramePipeline(PipelineSettings settings, PipelineOutputs outputs);
   /// Drops what is under way if `finish` was not called.
   ~FramePipeline();
@@ -75,14 +72,15 @@ class FramePipeline {
 
  private:
   struct Drawn {
-    std::uint64_t number = 0;         ///< of the frame
     std::optional<std::size_t> slot;  ///< of the picture; nothing: as before
+    RowRange changed;                 ///< the other rows are as before
     std::vector<PngText> texts;
   };
 
+  void start();
   void draw_frames();
   void encode_frames();
-  void write_frame(const Drawn& frame);
+  void add_to_films(const Drawn& frame);
   void close_queues();
   void join();
   void run_guarded(void (FramePipeline::*work)());
@@ -90,26 +88,15 @@ class FramePipeline {
 
   PipelineSettings settings_;
   PipelineOutputs outputs_;
-  static constexpr std::size_t slots = 4;  ///< one being drawn, two being compressed, one waiting
+  static constexpr std::size_t slots = 3;  ///< one being drawn, one being encoded, one waiting
   std::array<Image, slots> images_;
   internal::BoundedQueue<FrameJob> jobs_{4};
   internal::BoundedQueue<Drawn> drawn_{slots};
   internal::BoundedQueue<std::size_t> free_slots_{slots};
-
-  // Of the frame whose turn it is to be written.
-  std::mutex turn_mutex_;
-  std::condition_variable turn_changed_;
-  std::uint64_t turn_ = 0;
-  bool stopped_ = false;
-  CompressedImage compressed_;           ///< the last picture
-  std::vector<std::uint8_t> all_texts_;  ///< chunks of the texts of every PNG
-  std::vector<std::uint8_t> file_;
-
   std::atomic<long> reused_ = 0;
   std::mutex failure_mutex_;
   std::exception_ptr failure_;
-  std::thread drawing_;
-  std::vector<std::thread> encoding_;
+  std::array<std::thread, 2> threads_;
 };
 
 }  // namespace wuerfel

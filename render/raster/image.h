@@ -10,6 +10,13 @@
 
 namespace wuerfel {
 
+/// Rows of an image from `begin` to before `end`.
+struct RowRange {
+  int begin = 0;
+  int end = 0;
+  friend bool operator==(const RowRange&, const RowRange&) = default;
+};
+
 class Image {
  public:
   Image() = default;

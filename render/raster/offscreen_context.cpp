@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cstdlib>
-#include <dlfcn.h>
 
 #include <GL/osmesa.h>
 
 #include "render/error.h"
+#include "render/shared_library.h"
 
 // Read by LeakSanitizer at the end of a program that was built with it: Mesa keeps a few hundred
 // bytes of its own. NOLINTNEXTLINE(bugprone-reserved-identifier)
@@ -29,16 +29,6 @@ struct OffscreenContext::Library {
 
 namespace {
 
-constexpr const char* library_name = "libOSMesa.so.8";
-
-template <typename Function>
-void find_symbol(void* handle, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(handle, name));
-  if (function == nullptr) {
-    throw RenderError(std::string(library_name) + " has no " + name);
-  }
-}
-
 /// llvmpipe is the only driver whose pixels we know, and other settings of these variables change
 /// pixels or crash it (swr, zink and 512-bit vectors do).
 void settle_environment(RasterThreads threads) {
@@ -58,16 +48,12 @@ std::string text_of(const GLubyte* text) {
 
 OffscreenContext::Library::Library(RasterThreads threads) {
   settle_environment(threads);
-  void* handle = dlopen(library_name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (handle == nullptr) {
-    throw RenderError(std::string("pictures need OSMesa, which could not be loaded (") + dlerror()
-                      + "); on Debian it is in the package libosmesa6");
-  }
-  find_symbol(handle, "OSMesaCreateContextAttribs", create_context);
-  find_symbol(handle, "OSMesaDestroyContext", destroy_context);
-  find_symbol(handle, "OSMesaMakeCurrent", make_current);
-  find_symbol(handle, "OSMesaPixelStore", pixel_store);
-  find_symbol(handle, "OSMesaGetProcAddress", get_proc_address);
+  const SharedLibrary file("libOSMesa.so.8", "pictures need OSMesa", "libosmesa6");
+  file.find("OSMesaCreateContextAttribs", create_context);
+  file.find("OSMesaDestroyContext", destroy_context);
+  file.find("OSMesaMakeCurrent", make_current);
+  file.find("OSMesaPixelStore", pixel_store);
+  file.find("OSMesaGetProcAddress", get_proc_address);
 }
 
 const OffscreenContext::Library& OffscreenContext::Library::loaded(RasterThreads threads) {
@@ -90,13 +76,13 @@ OffscreenContext::OffscreenContext(RasterThreads threads) : library_(Library::lo
                                            3,
                                            0};
   context_ = library_.create_context(attributes.data(), nullptr);
-  if (context_ == nullptr) throw RenderError("OSMesa offers no OpenGL 3.3 core context");
+  if (context_ == nullptr) throw LibraryError("OSMesa offers no OpenGL 3.3 core context");
   Image scratch(16, 16);
   if (library_.make_current(static_cast<OSMesaContext>(context_), scratch.data(), GL_UNSIGNED_BYTE,
                             scratch.width(), scratch.height())
       == GL_FALSE) {
     library_.destroy_context(static_cast<OSMesaContext>(context_));
-    throw RenderError("OSMesa cannot make its context current");
+    throw LibraryError("OSMesa cannot make its context current");
   }
 #define WUERFEL_GL_RESOLVE(name) \
   gl_.name = reinterpret_cast<decltype(gl_.name)>(library_.get_proc_address("gl" #name));
@@ -106,7 +92,7 @@ OffscreenContext::OffscreenContext(RasterThreads threads) : library_(Library::lo
       text_of(gl_.GetString(GL_RENDERER)) + ", OpenGL " + text_of(gl_.GetString(GL_VERSION));
   if (!description_.starts_with("llvmpipe")) {
     library_.destroy_context(static_cast<OSMesaContext>(context_));
-    throw RenderError("OSMesa draws by " + description_ + " instead of llvmpipe");
+    throw LibraryError("OSMesa draws by " + description_ + " instead of llvmpipe");
   }
 }
 

@@ -20,9 +20,9 @@ namespace wuerfel::internal {
 #define WUERFEL_GL_FUNCTIONS(X)                                                                        \
   X(AttachShader) X(BindBuffer) X(BindVertexArray) X(BlendFunc) X(BufferData) X(Clear) X(ClearColor)   \
   X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteProgram) X(DeleteShader)  \
-  X(DeleteVertexArrays) X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish)          \
+  X(DeleteVertexArrays) X(Disable) X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(Finish)          \
   X(GenBuffers) X(GenVertexArrays) X(GetError) X(GetProgramInfoLog) X(GetProgramiv)                    \
-  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(ShaderSource) \
+  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(Scissor) X(ShaderSource) \
   X(Uniform1i) X(Uniform2f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
@@ -35,7 +35,7 @@ struct GlFunctions {
 
 class OffscreenContext {
  public:
-  /// Loads OSMesa and makes a context. Throws RenderError where OSMesa is missing, has no core 3.3
+  /// Loads OSMesa and makes a context. Throws LibraryError where OSMesa is missing, has no core 3.3
   /// or draws by anything else than llvmpipe (whose pixels are the ones we know).
   explicit OffscreenContext(RasterThreads threads);
   ~OffscreenContext();
@@ -44,7 +44,8 @@ class OffscreenContext {
   OffscreenContext(OffscreenContext&&) = delete;
   OffscreenContext& operator=(OffscreenContext&&) = delete;
 
-  /// What is drawn until the next call ends up in `image` (after glFinish), top row first.
+  /// What is drawn until the next call ends up in `image` (after glFinish), top row first. Where
+  /// nothing is drawn, it shows what was drawn last in its size.
   void draw_into(Image& image);
   const GlFunctions& gl() const { return gl_; }
   /// GL_RENDERER and GL_VERSION, for manifests and bug reports.

@@ -16,7 +16,7 @@ namespace wuerfel {
 /// whatever was drawn before and however many threads there are, the pixels are the same.
 class Renderer {
  public:
-  /// Throws RenderError where OSMesa is missing.
+  /// Throws LibraryError where OSMesa is missing.
   explicit Renderer(RasterThreads threads = RasterThreads::all);
   ~Renderer();
   Renderer(const Renderer&) = delete;
@@ -24,8 +24,9 @@ class Renderer {
   Renderer(Renderer&&) = delete;
   Renderer& operator=(Renderer&&) = delete;
 
-  /// Paints `list` into `image`, which is made anew where its size differs from the list's.
-  void draw(const DrawList& list, Image& image);
+  /// Paints `list` into `image`, which is made anew where its size differs from the list's. Outside
+  /// of the rows returned the picture equals the one drawn before.
+  RowRange draw(const DrawList& list, Image& image);
 
   /// The font of the texts, to measure them.
   Font& font();

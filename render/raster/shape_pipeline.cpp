@@ -180,7 +180,7 @@ void ShapePipeline::make_indices(std::size_t quads) {
                  GL_STATIC_DRAW);
 }
 
-void ShapePipeline::draw(const DrawList& list, const ShapeRun& run) {
+void ShapePipeline::draw(const DrawList& list, const ShapeRun& run, const Region& region) {
   const auto* const shapes = static_cast<const std::byte*>(shapes_of(list, kind_));
   gl_.UseProgram(program_);
   gl_.Uniform2f(picture_, static_cast<float>(list.width), static_cast<float>(list.height));
@@ -189,24 +189,26 @@ void ShapePipeline::draw(const DrawList& list, const ShapeRun& run) {
   for (std::size_t first = run.first, count = 0; first < run.first + run.count; first += count) {
     count = alike(list, run, first);
     const bool one_quad = kind_ != ShapeKind::arrow || takes_one_quad(list.arrows[first]);
+    const std::size_t copies = vertices_of_quad * (one_quad ? 1 : 2);
+    vertices_.clear();
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (!touches(list, kind_, i, region)) continue;
+      const std::byte* const shape = shapes + i * stride_;
+      for (std::size_t copy = 0; copy < copies; ++copy)
+        vertices_.insert(vertices_.end(), shape, shape + stride_);
+    }
+    if (vertices_.empty()) continue;
     if (whole_ >= 0) gl_.Uniform1i(whole_, one_quad ? 1 : 0);
-    draw_alike(shapes + first * stride_, count, one_quad ? 1 : 2);
+    draw_quads(vertices_.size() / (vertices_of_quad * stride_));
   }
 }
 
-void ShapePipeline::draw_alike(const std::byte* shapes, std::size_t count, std::size_t quads) {
-  const std::size_t copies = vertices_of_quad * quads;
-  vertices_.resize(count * copies * stride_);
-  std::byte* target = vertices_.data();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t copy = 0; copy < copies; ++copy, target += stride_)
-      std::memcpy(target, shapes + i * stride_, stride_);
-  }
+void ShapePipeline::draw_quads(std::size_t count) {
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size()), vertices_.data(),
                  GL_STREAM_DRAW);
-  make_indices(count * quads);
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_of_quad * quads * count),
-                   GL_UNSIGNED_INT, nullptr);
+  make_indices(count);
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_of_quad * count), GL_UNSIGNED_INT,
+                   nullptr);
 }
 
 }  // namespace wuerfel::internal

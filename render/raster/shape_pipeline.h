@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/picture/draw_list.h"
+#include "render/raster/changed_region.h"
 #include "render/raster/offscreen_context.h"
 
 namespace wuerfel::internal {
@@ -23,13 +24,13 @@ class ShapePipeline {
   ShapePipeline(ShapePipeline&&) = delete;
   ShapePipeline& operator=(ShapePipeline&&) = delete;
 
-  /// A run of this kind, into the picture that is being drawn.
-  void draw(const DrawList& list, const ShapeRun& run);
+  /// Those shapes of a run of this kind that touch `region`, into the picture that is being drawn.
+  void draw(const DrawList& list, const ShapeRun& run, const Region& region);
 
  private:
   void describe_vertices();
   void make_indices(std::size_t quads);
-  void draw_alike(const std::byte* shapes, std::size_t count, std::size_t quads);
+  void draw_quads(std::size_t count);
 
   const GlFunctions& gl_;
   ShapeKind kind_;
@@ -41,7 +42,7 @@ class ShapePipeline {
   GLint picture_ = -1;
   GLint whole_ = -1;  ///< arrows only
   std::size_t indexed_quads_ = 0;
-  std::vector<std::byte> vertices_;
+  std::vector<std::byte> vertices_;  ///< of the shapes that are to be drawn next
 };
 
 }  // namespace wuerfel::internal

@@ -1,26 +1,14 @@
 #include "render/vector/cairo_library.h"
 
-#include <dlfcn.h>
-#include <string>
-
-#include "render/error.h"
+#include "render/shared_library.h"
 
 namespace wuerfel::internal {
 namespace {
 
-constexpr const char* library_name = "libcairo.so.2";
-
 CairoLibrary load() {
-  void* handle = dlopen(library_name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (handle == nullptr) {
-    throw RenderError(std::string("vector figures need Cairo, which could not be loaded (")
-                      + dlerror() + "); on Debian it is in the package libcairo2");
-  }
+  const SharedLibrary file("libcairo.so.2", "vector figures need Cairo", "libcairo2");
   CairoLibrary library;
-#define WUERFEL_CAIRO_RESOLVE(name)                                                       \
-  library.name = reinterpret_cast<decltype(library.name)>(dlsym(handle, "cairo_" #name)); \
-  if (library.name == nullptr)                                                            \
-    throw RenderError(std::string(library_name) + " has no cairo_" #name);
+#define WUERFEL_CAIRO_RESOLVE(name) file.find("cairo_" #name, library.name);
   WUERFEL_CAIRO_FUNCTIONS(WUERFEL_CAIRO_RESOLVE)
 #undef WUERFEL_CAIRO_RESOLVE
   return library;

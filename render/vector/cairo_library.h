@@ -25,7 +25,7 @@ struct CairoLibrary {
 #undef WUERFEL_CAIRO_MEMBER
 };
 
-/// Loads Cairo on the first call and keeps it. Throws RenderError where it is missing.
+/// Loads Cairo on the first call and keeps it. Throws LibraryError where it is missing.
 const CairoLibrary& cairo_library();
 
 }  // namespace wuerfel::internal

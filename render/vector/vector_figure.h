@@ -27,7 +27,7 @@ struct PlacedList {
 
 /// The bytes of the file: `list`, and `insets` on top of it. One pixel of the list is one pixel of
 /// the SVG and 3/4 point of the PDF (96 to the inch). Text stays text in the PDF, with the letters
-/// used embedded. No creation date: the same list gives the same bytes. Throws RenderError where
+/// used embedded. No creation date: the same list gives the same bytes. Throws LibraryError where
 /// Cairo is missing.
 std::vector<std::uint8_t> encode_vector_figure(const DrawList& list,
                                                VectorFormat format,

@@ -127,7 +127,9 @@ void count_encoding() {
     for (int x = 0; x < image.width(); ++x)
       if ((x / 160 + y / 120) % 3 == 0) image.set(x, y, {0, 114, 178, 255});
   }
-  count("PNG 1280 x 720", [&] { static_cast<void>(compress_image(image)); });
+  ImageCompressor compressor;
+  CompressedImage compressed;
+  count("PNG 1280 x 720", [&] { compressor.compress(image, PngChannels::rgb, compressed); });
 }
 
 }  // namespace

@@ -58,6 +58,19 @@ class Usage(ProgramTest):
     def test_too_many_frames_are_refused_before_they_fill_the_memory(self):
         self.refuse("run", self.scene(FLYING), "-o", "f/", "--fps", "1e15")
 
+    def test_pictures_without_osmesa_are_one_error_of_output_everywhere(self):
+        scene = self.scene(FLYING)
+        os.makedirs(self.path("lib"))
+        with open(self.path("lib/libOSMesa.so.8"), "w", encoding="ascii") as file:
+            file.write("not a library")
+        environment = {**os.environ, "LD_LIBRARY_PATH": self.path("lib")}
+        for arguments in (("figure", scene, "-o", "a.png"), ("run", scene, "-o", "f/"), ("run", scene, "-o", "a.apng")):
+            with self.subTest(arguments):
+                done = self.expect(5, *arguments, env=environment)
+                self.assertIn("pictures need OSMesa", done.stderr)
+                self.assertIn("libosmesa6", done.stderr)
+        self.assertEqual(self.files(), ["lib", "scene.json"])
+
     def test_standard_output_is_for_one_thing_at_a_time(self):
         self.refuse("run", self.scene(FLYING), "--json", "--states", "-")
         self.refuse("run", self.scene(FLYING), "--events", "-", "--summary", "-")

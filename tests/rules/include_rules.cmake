@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(project_folders "app|core|render|tests|assets")
-set(library_headers "GL/|ft2build|png\\.h|cairo|coin|Ip[A-Z]|toml\\+\\+/|nlohmann/|CLI/|Eigen/|fmt/|gtest/|gmock/")
+set(library_headers "GL/|ft2build|png\\.h|cairo|isa-l|coin|Ip[A-Z]|toml\\+\\+/|nlohmann/|CLI/|Eigen/|fmt/|gtest/|gmock/")
 
 # Every include of a file of `files` that looks like one of the project's own or of a known library has to match one of
 # the patterns that follow.
@@ -34,7 +34,7 @@ may_include("${app}" app/ render/ core/ CLI/ nlohmann/ fmt/ Eigen/)
 
 # Each folder of render knows itself and what stands before it; OpenGL, Cairo and libpng have one folder each.
 set(known_render_folders picture raster vector files pipeline)
-set(picture render/picture/ render/error\\.h core/snapshot\\.h ft2build Eigen/ fmt/)
+set(picture render/picture/ "render/(error|shared_library)\\.h" core/snapshot\\.h ft2build Eigen/ fmt/)
 set(raster ${picture} render/raster/ GL/)
 set(vector ${picture} render/vector/ cairo)
 set(files ${picture} "render/raster/image\\.h" render/files/ png\\.h isa-l)

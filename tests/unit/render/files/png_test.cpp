@@ -1,5 +1,6 @@
 #include "render/files/png.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -102,6 +104,69 @@ TEST(Png, DamagedDataAreErrors) {
   EXPECT_THROW(decode_png(bad), RenderError);
 }
 
+TEST(Png, TextsOfManyMegabytesComeBack) {
+  // libpng drops what is longer than 8 000 000 bytes.
+  std::string scene;
+  while (scene.size() < 9000000)
+    scene += "{\"name\": \"cube" + std::to_string(scene.size()) + "\"}, ";
+  const std::vector<PngText> texts{{"Scene", scene}};
+  EXPECT_EQ(decode_png(encode_png(Image(3, 2), texts)).texts, texts);
+}
+
+/// A picture of one pixel with chunks put in before it.
+std::vector<std::uint8_t> with_chunks(const std::vector<std::uint8_t>& chunks) {
+  constexpr std::size_t header_end = 33;
+  std::vector<std::uint8_t> file = encode_png(Image(1, 1));
+  file.insert(file.begin() + header_end, chunks.begin(), chunks.end());
+  return file;
+}
+
+TEST(Png, TextsThatUnpackToGigabytesAreErrors) {
+  const std::vector<PngText> bomb{{"Bomb", std::string(std::size_t{16} << 20U, 'x')}};
+  const std::vector<std::uint8_t> chunk = text_chunks(bomb);
+  std::vector<std::uint8_t> chunks;
+  for (int i = 0; i < 20; ++i)
+    chunks.insert(chunks.end(), chunk.begin(), chunk.end());
+  EXPECT_THROW(decode_png(with_chunks(chunks)), RenderError);
+}
+
+TEST(Png, SizesWithoutTheDataForThemAreErrors) {
+  std::vector<std::uint8_t> file = encode_png(Image(1, 1));
+  std::vector<std::uint8_t> header;
+  append_u32(16384, header);
+  append_u32(16384, header);
+  header.insert(header.end(), {8, 2, 0, 0, 0});
+  std::vector<std::uint8_t> chunk;
+  append_chunk("IHDR", header, chunk);
+  std::copy(chunk.begin(), chunk.end(), file.begin() + png_signature.size());
+  EXPECT_THROW(decode_png(file), RenderError);
+}
+
+TEST(Png, TextsHoldNothingThatATerminalObeys) {
+  const std::string hostile = "wuerfel \x1b[2J\x07\xff 0.1\n";
+  std::vector<std::uint8_t> data{'S', 'o', 'f', 't', 'w', 'a', 'r', 'e', 0};
+  data.insert(data.end(), hostile.begin(), hostile.end());
+  std::vector<std::uint8_t> chunks;
+  append_chunk("tEXt", data, chunks);
+  const PngFile file = decode_png(with_chunks(chunks));
+  ASSERT_EQ(file.texts.size(), 1U);
+  EXPECT_EQ(file.texts[0].key, "Software");
+  EXPECT_EQ(file.texts[0].value, "wuerfel \uFFFD[2J\uFFFD\uFFFD 0.1\n");
+}
+
+TEST(Png, DamagedTextsAreErrors) {
+  for (const auto& [type, text] :
+       std::vector<std::pair<std::string, std::string>>{{"tEXt", "no end of the key"},
+                                                        {"zTXt", std::string("Key\0\0no zlib", 12)},
+                                                        {"zTXt", std::string("Key\0\x01", 5)},
+                                                        {"iTXt", std::string("Key\0", 4)},
+                                                        {"iTXt", std::string("Key\0\0\0de", 8)}}) {
+    std::vector<std::uint8_t> chunks;
+    append_chunk(type, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, chunks);
+    EXPECT_THROW(decode_png(with_chunks(chunks)), RenderError) << type << ' ' << text;
+  }
+}
+
 TEST_F(PngFiles, AreWrittenWithTheirFoldersAndReadBack) {
   const Image image = gradient(20, 10, true);
   write_png(path("a/b/c.png"), image);
@@ -159,6 +224,14 @@ TEST_F(PngFiles, AppearOnlyWhenComplete) {
     EXPECT_FALSE(std::filesystem::exists(path("half.png")));
   }
   EXPECT_TRUE(empty());
+}
+
+TEST_F(PngFiles, HaveTemporaryNamesThatNobodyForesees) {
+  const OutputFile first(path("a.png"));
+  const OutputFile second(path("a.png"));
+  EXPECT_NE(first.temporary_path(), second.temporary_path());
+  const std::string name = std::filesystem::path(first.temporary_path()).filename().string();
+  EXPECT_EQ(name.find("." + std::to_string(getpid()) + "."), std::string::npos) << name;
 }
 
 TEST_F(PngFiles, ReplaceOlderOnes) {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <malloc.h>
 #include <memory>
+#include <pthread.h>
 #include <span>
 #include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -63,7 +66,7 @@ class Pipeline : public ::testing::Test {
   PipelineSettings settings{make_style(Theme::light),
                             testing::literal_options({Layer::cubes, Layer::forces}),
                             {},
-                            PngEncoder::run_length};
+                            PngEncoder::isa_l};
 };
 
 TEST_F(Pipeline, MakesTheSamePicturesAsDrawingThemOneByOne) {
@@ -152,7 +155,7 @@ TEST_F(Pipeline, TextsOfAllFramesStandInEveryFrame) {
 
 TEST_F(Pipeline, BothEncodersWriteTheSamePixels) {
   std::vector<PngFile> files;
-  for (const PngEncoder encoder : {PngEncoder::run_length, PngEncoder::libpng}) {
+  for (const PngEncoder encoder : {PngEncoder::isa_l, PngEncoder::libpng}) {
     settings.encoder = encoder;
     FramePipeline pipeline(
         settings,
@@ -173,6 +176,29 @@ TEST_F(Pipeline, FailureOfDrawingReachesTheCaller) {
   view.width = 0;
   FramePipeline pipeline(settings, {});
   EXPECT_THROW(add_thousand(pipeline), RenderError);
+}
+
+TEST_F(Pipeline, WhoseThreadsCannotStartIsAnErrorOfOutput) {
+  const pid_t child = fork();
+  if (child == 0) {
+    // A stack that no machine has room for.
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, std::size_t{1} << 50U);
+    pthread_setattr_default_np(&attributes);
+    int status = 1;
+    try {
+      const FramePipeline pipeline(settings, {});
+    } catch (const OutputError&) {
+      status = 0;
+    } catch (...) {
+      status = 2;
+    }
+    _exit(status);
+  }
+  int status = 1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
 }
 
 TEST_F(Pipeline, ThatIsLeftInTheMiddleStops) {
