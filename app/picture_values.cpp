@@ -16,6 +16,8 @@ namespace wuerfel {
 
 namespace {
 
+constexpr int most_frames_a_side = 1024;  // 16 pixels each in the largest picture
+
 /// All enumerators' names in their order; `to_string` gives "?" past the last of them.
 template <typename Enum>
 std::vector<std::string_view> names_of() {
@@ -61,7 +63,8 @@ StripGrid parse_strip(std::string_view text) {
   const auto [middle, error] = std::from_chars(text.data(), end, grid.columns);
   if (error == std::errc{} && middle != end && *middle == 'x') {
     const auto [last, second_error] = std::from_chars(middle + 1, end, grid.rows);
-    if (second_error == std::errc{} && last == end && grid.columns > 0 && grid.rows > 0)
+    const auto possible = [](int count) { return count > 0 && count <= most_frames_a_side; };
+    if (second_error == std::errc{} && last == end && possible(grid.columns) && possible(grid.rows))
       return grid;
   }
   throw UsageError(fmt::format("'{}' is not a film strip: use COLUMNSxROWS such as 4x2", text));

@@ -19,8 +19,9 @@ ExitCode run(const RunOptions& options) {
 
   // What cannot be written is noticed before the long work.
   const StopSignal stop;
-  PictureOutputs pictures(options.outputs,
-                          animation_settings(options.picture, options.rate.fps, scene));
+  AnimationSettings animation = animation_settings(options.picture, options.rate.fps, scene);
+  animation.while_waiting = [&stop] { stop.check(); };
+  PictureOutputs pictures(options.outputs, animation);
   Tables tables(options.states, options.forces, options.events);
   Summary summary(options.summary, options.json);
 

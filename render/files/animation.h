@@ -1,6 +1,7 @@
 /// Animations: frames in, one film out.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct AnimationSettings {
   /// Colours of the frames, for GIF; see animation_palette. Empty: chosen from each frame, which
   /// takes longer.
   std::vector<Color> palette;
+  /// Called ten times a second while ffmpeg keeps us waiting; may throw to give up. It runs in the
+  /// thread that adds frames.
+  std::function<void()> while_waiting = {};
 };
 
 /// By the suffix of `path`: .mp4 (H.264), .webm (VP9), .gif, .apng; mp4, webm and gif need ffmpeg

@@ -5,12 +5,15 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "render/error.h"
 
@@ -69,9 +72,22 @@ class SpawnSettings {
   posix_spawnattr_t attributes_{};
 };
 
+/// A descriptor that is closed at the end of the scope.
+struct ClosedAtEnd {
+  int descriptor;
+  explicit ClosedAtEnd(int opened) : descriptor(opened) {}
+  ~ClosedAtEnd() { close(descriptor); }
+  ClosedAtEnd(const ClosedAtEnd&) = delete;
+  ClosedAtEnd& operator=(const ClosedAtEnd&) = delete;
+  ClosedAtEnd(ClosedAtEnd&&) = delete;
+  ClosedAtEnd& operator=(ClosedAtEnd&&) = delete;
+};
+
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
+                           std::function<void()> while_waiting)
+    : while_waiting_(std::move(while_waiting)) {
   // A socket instead of a pipe: writing to it can be told not to raise SIGPIPE.
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -102,15 +118,28 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
 ChildProcess::~ChildProcess() {
   if (pid_ > 0) {
     kill(pid_, SIGKILL);
-    wait();
+    reap();
   }
   if (error_ >= 0) close(error_);
 }
 
+/// Until the descriptor is ready.
+void ChildProcess::wait_for(int descriptor, short event) const {
+  constexpr int tenth_of_a_second = 100;  // ms
+  pollfd watched{descriptor, event, 0};
+  while (poll(&watched, 1, while_waiting_ ? tenth_of_a_second : -1) <= 0) {
+    if (while_waiting_) while_waiting_();
+  }
+}
+
 bool ChildProcess::send(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const ssize_t sent = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0 && errno == EAGAIN) {
+      wait_for(input_, POLLOUT);
+      continue;
+    }
     if (sent < 0) return false;
     bytes = bytes.subspan(static_cast<std::size_t>(sent));
   }
@@ -118,7 +147,19 @@ bool ChildProcess::send(std::span<const std::uint8_t> bytes) {
 }
 
 int ChildProcess::wait() {
-  close(input_);
+  close(std::exchange(input_, -1));
+  // glibc 2.36 declares pidfd_open for C alone.
+  const auto end = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
+  if (end >= 0) {
+    const ClosedAtEnd closed{end};
+    wait_for(end, POLLIN);
+  }
+  return reap();
+}
+
+/// The exit status of a program that has ended or is about to.
+int ChildProcess::reap() {
+  if (input_ >= 0) close(std::exchange(input_, -1));
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/random.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -14,10 +15,12 @@
 namespace wuerfel {
 namespace {
 
-/// folder/.name.PID.part.suffix
+/// folder/.name.RANDOM.part.suffix
 std::string temporary_name(const std::filesystem::path& path) {
+  std::uint64_t random = 0;
+  if (getrandom(&random, sizeof random, 0) != sizeof random) random = 0;
   const std::string name =
-      fmt::format(".{}.{}.part{}", path.stem().string(), getpid(), path.extension().string());
+      fmt::format(".{}.{:016x}.part{}", path.stem().string(), random, path.extension().string());
   return (path.parent_path() / name).string();
 }
 
@@ -33,8 +36,13 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
                         + error.message());
     }
   }
-  temporary_ = temporary_name(target);
-  descriptor_ = open(temporary_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  constexpr int tries = 10;
+  for (int i = 0; i < tries && descriptor_ < 0; ++i) {
+    temporary_ = temporary_name(target);
+    descriptor_ =
+        open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) break;
+  }
   if (descriptor_ < 0) fail("cannot write");
 }
 

@@ -9,7 +9,8 @@ namespace wuerfel {
 
 /// Writes under a temporary name beside `path`; `commit` gives it its name, and without that the
 /// destructor removes it. The temporary name keeps the suffix, by which other programs tell the
-/// format. Missing folders are made.
+/// format, and is one that nobody can foresee: a link that waits there is not followed. Missing
+/// folders are made.
 class OutputFile {
  public:
   /// Throws OutputError where the folder cannot be made or written.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "render/picture/frame_parts.h"
 
@@ -27,6 +28,17 @@ struct Span {
   }
   bool empty() const { return !(from < to); }
 };
+
+/// The whole numbers from `low` to `high`. None where these are so large that numbers one apart can
+/// no longer be told apart (2^53): a view so far out has no grid.
+std::vector<double> whole_numbers(double low, double high) {
+  constexpr double largest = 9007199254740992.0;
+  std::vector<double> numbers;
+  if (!(std::abs(low) < largest && std::abs(high) < largest)) return numbers;
+  for (double k = std::ceil(low); k <= high; k += 1.0)
+    numbers.push_back(k);
+  return numbers;
+}
 
 /// The visible part of a plane's surface, in metres along `along` from its point, with `margin` px
 /// around the picture; what lies inside another half-plane is left out.
@@ -74,9 +86,8 @@ void add_hatch(const FrameParts& parts, const SnapshotPlane& plane, const Vec2& 
   segment.half_width = static_cast<float>(0.55 * parts.unit);
   segment.color = parts.style.hatch;
   const double first = std::ceil((span.from + depth) / step) * step;
-  const auto count = static_cast<long>(std::floor((span.to - first) / step));
-  for (long i = 0; i <= count; ++i) {
-    const Vec2 start = plane.point + (first + static_cast<double>(i) * step) * along;
+  for (const double i : whole_numbers(0.0, (span.to - first) / step)) {
+    const Vec2 start = plane.point + (first + i * step) * along;
     segment.from = parts.pixel(start);
     segment.to = parts.pixel(start + stroke);
     parts.list.add(segment);
@@ -100,14 +111,14 @@ void add_grid(const FrameParts& parts) {
   SegmentShape line;
   line.round = 0.0F;
   line.half_width = static_cast<float>(0.6 * parts.unit);
-  for (double k = std::ceil(low.x() / step); k * step <= high.x(); k += 1.0) {
+  for (const double k : whole_numbers(low.x() / step, high.x() / step)) {
     const float x = parts.pixel(Vec2(k * step, 0.0)).x;
     line.from = {x, 0.0F};
     line.to = {x, height};
     line.color = k == 0.0 ? parts.style.grid_axis : parts.style.grid;
     parts.list.add(line);
   }
-  for (double k = std::ceil(low.y() / step); k * step <= high.y(); k += 1.0) {
+  for (const double k : whole_numbers(low.y() / step, high.y() / step)) {
     const float y = parts.pixel(Vec2(0.0, k * step)).y;
     line.from = {0.0F, y};
     line.to = {width, y};

@@ -29,19 +29,27 @@ void add_border(CellPlace place, const StripLayout& layout, Color color, DrawLis
     page.add(SegmentShape{corners.at(i), corners.at(i + 1), 0.5F, 1.0F, color});
 }
 
+[[noreturn]] void refuse(StripGrid grid, int width, int height) {
+  throw RenderError(fmt::format("{}x{} frames do not fit into {}x{} pixels", grid.columns,
+                                grid.rows, width, height));
+}
+
 }  // namespace
 
 StripLayout strip_layout(StripGrid grid, int width, int height, double scale) {
-  StripLayout layout{grid, width, height, 0, 0, 0, 0, frame_unit(width, height, scale)};
+  // Compared in floating point first: no number of frames and no scale can overflow.
+  const double unit = frame_unit(width, height, scale);
+  const double least_gap = gap_size * unit + smallest_cell;
+  if (!(grid.columns * least_gap < width) || !(grid.rows * least_gap < height))
+    refuse(grid, width, height);
+  StripLayout layout{grid, width, height, 0, 0, 0, 0, unit};
   layout.gap = static_cast<int>(std::lround(gap_size * layout.unit));
   layout.caption_height = static_cast<int>(std::lround(1.7 * caption_size * layout.unit));
   layout.cell_width = (width - (grid.columns + 1) * layout.gap) / grid.columns;
   layout.cell_height =
       (height - layout.gap - grid.rows * (layout.gap + layout.caption_height)) / grid.rows;
-  if (layout.cell_width < smallest_cell || layout.cell_height < smallest_cell) {
-    throw RenderError(fmt::format("{}x{} frames do not fit into {}x{} pixels", grid.columns,
-                                  grid.rows, width, height));
-  }
+  if (layout.cell_width < smallest_cell || layout.cell_height < smallest_cell)
+    refuse(grid, width, height);
   return layout;
 }
 

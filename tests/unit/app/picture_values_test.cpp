@@ -50,7 +50,8 @@ TEST(ParseTheme, UnderstandsEveryThemesName) {
 TEST(ParseStrip, TakesColumnsByRowsAndNothingElse) {
   EXPECT_EQ(parse_strip("4x2").columns, 4);
   EXPECT_EQ(parse_strip("4x2").rows, 2);
-  for (const char* text : {"", "4", "4x", "x2", "0x2", "4x0", "-1x2", "4x2x1", "4 x2"})
+  for (const char* text :
+       {"", "4", "4x", "x2", "0x2", "4x0", "-1x2", "4x2x1", "4 x2", "65536x65536", "2147483647x2"})
     EXPECT_THROW(parse_strip(text), UsageError) << text;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -265,6 +266,45 @@ TEST_F(FakeFfmpeg, ThatFailsAtTheEndIsAnErrorToo) {
   install("cat > /dev/null; exit 1");
   EXPECT_NE(failure().find("ffmpeg failed"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(path("a.mp4")));
+}
+
+/// Thrown by who gives up.
+struct Impatience {};
+
+/// Gives up at the third call.
+std::function<void()> short_patience() {
+  return [calls = 0]() mutable {
+    if (++calls == 3) throw Impatience();
+  };
+}
+
+TEST_F(FakeFfmpeg, ThatNeverEndsIsGivenUpAndLeavesNothing) {
+  install("echo $$ > " + path("bin/pid") + "; cat > /dev/null; exec sleep 1000");
+  settings.while_waiting = short_patience();
+  {
+    const auto writer = make_animation_writer(path("a.mp4"), settings);
+    writer->add(frame(0));
+    EXPECT_THROW(writer->finish(), Impatience);
+  }
+  std::filesystem::remove_all(path("bin/ffmpeg"));
+  EXPECT_EQ(output_of("ls -A " + folder.string()), "bin");
+  EXPECT_EQ(output_of("kill -0 $(cat " + path("bin/pid") + ") 2>&1 && echo alive").find("alive"),
+            std::string::npos);
+}
+
+TEST_F(FakeFfmpeg, ThatNeverReadsIsGivenUp) {
+  install("exec sleep 1000");
+  settings.width = 1920;
+  settings.height = 1080;
+  settings.while_waiting = short_patience();
+  const auto writer = make_animation_writer(path("a.mp4"), settings);
+  const Image picture(settings.width, settings.height);
+  EXPECT_THROW(
+      {
+        for (int i = 0; i < 20; ++i)
+          writer->add(picture);
+      },
+      Impatience);
 }
 
 TEST_F(FakeFfmpeg, GetsNothingThroughAShell) {

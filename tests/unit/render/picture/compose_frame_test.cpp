@@ -187,5 +187,23 @@ TEST_F(Composition, LongTitleIsShortened) {
   EXPECT_TRUE(list.texts.front().text.ends_with("…"));
 }
 
+TEST_F(Composition, GridEndsHoweverFarOutTheViewIs) {
+  for (const double distance : {1e6, 1e12, 1e15, 1e16, 1e100, 1e300}) {
+    for (const double width : {1e-300, 1e-3, 1.0, 1e300}) {
+      options.layers = {Layer::grid, Layer::cubes};
+      view = fixed_view(Vec2(distance, -distance), width, 640, 360);
+      EXPECT_LT(compose_frame(snapshot, view, style, options, font).segments.size(), 2000U)
+          << distance << ' ' << width;
+    }
+  }
+}
+
+TEST_F(Composition, GridHasALineAtEveryHalfMetreThatIsSeen) {
+  options.layers = {Layer::grid};
+  view = fixed_view(Vec2(1e6, 0.0), 6.4, 640, 360);
+  const DrawList list = compose_frame(snapshot, view, style, options, font);
+  EXPECT_EQ(list.segments.size(), 13U + 7U);
+}
+
 }  // namespace
 }  // namespace wuerfel

@@ -47,5 +47,11 @@ TEST(FilmStrip, ThatDoesNotFitIsAnError) {
   EXPECT_THROW(strip_layout({40, 2}, 640, 360, 1.0), RenderError);
 }
 
+TEST(FilmStrip, NumbersBeyondReasonAreErrorsAndNoOverflows) {
+  EXPECT_THROW(strip_layout({2147483647, 2}, 1280, 720, 1.0), RenderError);
+  EXPECT_THROW(strip_layout({65536, 65536}, 1280, 720, 1.0), RenderError);
+  EXPECT_THROW(strip_layout({2, 2}, 1280, 720, 1e9), RenderError);
+}
+
 }  // namespace
 }  // namespace wuerfel
