@@ -17,9 +17,9 @@ Failure failure_of(const std::exception_ptr& thrown) {
     return {error.what(), ExitCode::bad_input};
   } catch (const SceneError& error) {
     return {error.what(), ExitCode::bad_input};
-  } catch (const OutputError& error) {
-    return {error.what(), ExitCode::output};
-  } catch (const RenderError& error) {  // what draws is missing or broken
+  } catch (const RenderError& error) {
+    return {error.what(), ExitCode::bad_input};
+  } catch (const OutputError& error) {  // a library that draws is missing, too
     return {error.what(), ExitCode::output};
   } catch (const std::bad_alloc&) {
     return {"out of memory", ExitCode::internal};

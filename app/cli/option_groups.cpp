@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/cli/picture_values.h"
+
 namespace wuerfel {
 
 using Text = std::string;

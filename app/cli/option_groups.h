@@ -1,5 +1,5 @@
 /// Groups of options that several subcommands share. Every value goes through a strict reader; what
-/// is not understood is a UsageError or a RenderError that names the option.
+/// is not understood is a UsageError that says what it was meant for.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 #include "app/film/picture_options.h"
 #include "app/film/timetable.h"
 #include "core/settings.h"
-#include "render/compare.h"
-#include "render/film_strip.h"
+#include "render/picture/film_strip.h"
+#include "render/raster/compare.h"
 
 namespace wuerfel {
 

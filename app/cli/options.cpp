@@ -9,7 +9,6 @@
 
 #include "app/cli/exit_code.h"
 #include "core/scene/suggestion.h"
-#include "render/error.h"
 
 namespace wuerfel {
 
@@ -75,8 +74,6 @@ bool Options::parse(std::vector<Text> arguments) {
     app_->parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {
     return false;
-  } catch (const RenderError& error) {
-    throw UsageError(error.what());
   } catch (const CLI::ParseError& error) {
     throw UsageError(fmt::format("{} (see {} --help)", complaint(error.what()), app_->get_name()));
   }
@@ -86,8 +83,6 @@ bool Options::parse(std::vector<Text> arguments) {
 void Options::parse_line(const Text& line) {
   try {
     app_->parse(line, false);
-  } catch (const RenderError& error) {
-    throw UsageError(error.what());
   } catch (const CLI::ParseError& error) {
     throw UsageError(complaint(error.what()));
   }

@@ -1,4 +1,4 @@
-#include "render/compare.h"
+#include "render/raster/compare.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,9 +16,8 @@
 #include "app/commands/commands.h"
 #include "app/commands/picture_pairs.h"
 #include "app/output/text_output.h"
-#include "render/error.h"
-#include "render/output_file.h"
-#include "render/png.h"
+#include "render/files/output_file.h"
+#include "render/files/png.h"
 
 namespace wuerfel {
 
@@ -62,12 +61,6 @@ struct Finding {
   }
 };
 
-Image read_picture(const std::string& path) try {
-  return read_png(path).image;
-} catch (const RenderError& error) {
-  throw UsageError(error.what());
-}
-
 /// EXPECTED becomes a copy of ACTUAL, whole or not at all.
 void accept(const PicturePair& pair) {
   std::ifstream source(pair.actual, std::ios::binary);
@@ -87,8 +80,8 @@ std::string difference_path(const CompareOptions& options, const PicturePair& pa
 Finding judge(const PicturePair& pair, const CompareOptions& options) {
   Finding finding{&pair, std::nullopt, false};
   if (pair.expected_there && pair.actual_there) {
-    const Image expected = read_picture(pair.expected);
-    const Image actual = read_picture(pair.actual);
+    const Image expected = read_png(pair.expected).image;
+    const Image actual = read_png(pair.actual).image;
     finding.comparison = compare_images(expected, actual, options.limits);
     if (!options.output.empty() && finding.comparison->verdict != CompareVerdict::identical) {
       Font font;
@@ -96,7 +89,7 @@ Finding judge(const PicturePair& pair, const CompareOptions& options) {
                 side_by_side(expected, actual, options.limits, font));
     }
   } else if (pair.actual_there) {
-    read_picture(pair.actual);  // what is accepted is a picture
+    read_png(pair.actual);  // what is accepted is a picture
   }
   const bool changed =
       !finding.comparison || finding.comparison->verdict != CompareVerdict::identical;

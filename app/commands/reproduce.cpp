@@ -11,8 +11,7 @@
 #include "app/film/still.h"
 #include "app/output/text_output.h"
 #include "core/scene/scene_parser.h"
-#include "render/compare.h"
-#include "render/error.h"
+#include "render/raster/compare.h"
 
 namespace wuerfel {
 
@@ -24,12 +23,6 @@ struct ReproduceOptions {
   CompareLimits limits;
   bool json = false;
 };
-
-PngFile read_picture(const std::string& path) try {
-  return read_png(path);
-} catch (const RenderError& error) {
-  throw UsageError(error.what());
-}
 
 const std::string& text_of(const PngFile& picture, const char* key, const std::string& path) {
   const auto found = std::ranges::find(picture.texts, key, &PngText::key);
@@ -68,7 +61,7 @@ std::string report(const Comparison& comparison,
 }
 
 ExitCode reproduce(const ReproduceOptions& options) {
-  const PngFile picture = read_picture(options.picture);
+  const PngFile picture = read_png(options.picture);
   const std::string& made_by = text_of(picture, software_key, options.picture);
   const Scene scene = parse_scene(text_of(picture, scene_key, options.picture), options.picture);
   StillOptions still_options =

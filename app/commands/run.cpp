@@ -50,7 +50,9 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   simulation.set_pulse([&stop] { stop.check(); });
 
   // What cannot be written is noticed before the long work.
-  PictureOutputs pictures(asked.outputs, animation_settings(asked.picture, asked.rate.fps, scene));
+  AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
+  animation.while_waiting = [&stop] { stop.check(); };
+  PictureOutputs pictures(asked.outputs, animation);
   Tables tables(asked.states, asked.forces, asked.events);
   SummaryFile summary_file(asked.summary);
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/picture_values.h"
 #include "core/scene/suggestion.h"
 
 namespace wuerfel {

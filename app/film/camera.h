@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/snapshot.h"
-#include "render/view.h"
+#include "render/picture/view.h"
 
 namespace wuerfel {
 

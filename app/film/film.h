@@ -11,7 +11,7 @@
 #include "app/film/timetable.h"
 #include "app/film/trails.h"
 #include "app/output/picture_outputs.h"
-#include "render/frame_pipeline.h"
+#include "render/pipeline/frame_pipeline.h"
 
 namespace wuerfel {
 
@@ -26,7 +26,7 @@ class Film {
        const MotionSource& source,
        PictureOutputs& outputs);
 
-  /// The next frame. Throws OutputError and RenderError.
+  /// The next frame. Throws OutputError, RenderError, Interrupted.
   void add(Snapshot snapshot);
   /// Draws what is left and completes the outputs. Throws the same, and Interrupted.
   void finish(Progress::Style style);

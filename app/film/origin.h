@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/settings.h"
-#include "render/png.h"
+#include "render/files/png.h"
 
 namespace wuerfel {
 

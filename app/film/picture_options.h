@@ -10,12 +10,12 @@
 #include "app/film/recording.h"
 #include "core/scene/scene.h"
 #include "core/time/simulation.h"
-#include "render/animation.h"
-#include "render/force_scale.h"
-#include "render/frame_options.h"
-#include "render/layers.h"
-#include "render/png.h"
-#include "render/style.h"
+#include "render/files/animation.h"
+#include "render/files/png.h"
+#include "render/picture/force_scale.h"
+#include "render/picture/frame_options.h"
+#include "render/picture/layers.h"
+#include "render/picture/style.h"
 
 namespace wuerfel {
 
@@ -34,7 +34,7 @@ struct PictureOptions {
   std::optional<ForceScaleChoice> force_scale;  ///< none: fits the run, as do the next two
   std::optional<double> velocity_scale;         ///< m of arrow per m/s
   std::optional<double> rod_scale;              ///< N that make a rod as thick as it gets
-  PngEncoder encoder = PngEncoder::run_length;  ///< changes files, not pictures
+  PngEncoder encoder = PngEncoder::isa_l;       ///< changes files, not pictures
 };
 
 /// "S" or "S,LONGEST,SMALLEST". Throws UsageError.

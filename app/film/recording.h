@@ -12,7 +12,7 @@
 #include "core/settings.h"
 #include "core/snapshot.h"
 #include "core/time/simulation.h"
-#include "render/force_scale.h"
+#include "render/picture/force_scale.h"
 
 namespace wuerfel {
 

@@ -4,25 +4,21 @@
 
 #include <fmt/core.h>
 
-#include "app/cli/exit_code.h"
 #include "app/film/origin.h"
 #include "app/film/recording.h"
 #include "app/film/trails.h"
 #include "core/scene/scene_parser.h"
-#include "render/compose_frame.h"
-#include "render/error.h"
-#include "render/renderer.h"
+#include "render/picture/compose_frame.h"
+#include "render/raster/renderer.h"
 
 namespace wuerfel {
 
 namespace {
 
-std::optional<StripLayout> layout_of(const StillOptions& options) try {
+std::optional<StripLayout> layout_of(const StillOptions& options) {
   if (!options.strip) return std::nullopt;
   const auto [width, height] = options.picture.size;
   return strip_layout(*options.strip, width, height, options.picture.scale);
-} catch (const RenderError& error) {
-  throw UsageError(error.what());
 }
 
 // Frames of a strip are smaller, and their captions take the place of the HUD.

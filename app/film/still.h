@@ -10,12 +10,12 @@
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/time/simulation.h"
-#include "render/draw_list.h"
-#include "render/film_strip.h"
-#include "render/font.h"
-#include "render/image.h"
-#include "render/png.h"
-#include "render/vector_figure.h"
+#include "render/files/png.h"
+#include "render/picture/draw_list.h"
+#include "render/picture/film_strip.h"
+#include "render/picture/font.h"
+#include "render/raster/image.h"
+#include "render/vector/vector_figure.h"
 
 namespace wuerfel {
 
@@ -35,7 +35,8 @@ struct Still {
   Audit audit;
 };
 
-/// Simulates up to the last of the times. Throws SceneError, RenderError, Interrupted.
+/// Simulates up to the last of the times. Throws SceneError, RenderError,
+/// OutputError and Interrupted.
 Still compose_still(const Scene& scene,
                     const StillOptions& options,
                     const StopSignal& stop,

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "render/error.h"
-#include "render/output_file.h"
+#include "render/files/output_file.h"
 
 namespace wuerfel {
 

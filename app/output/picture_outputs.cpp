@@ -40,7 +40,7 @@ void require_picture_output(const std::string& name) {
 }
 
 PictureOutputs::PictureOutputs(const std::vector<std::string>& names,
-                               const AnimationSettings& settings) try {
+                               const AnimationSettings& settings) {
   for (const std::string& name : names) {
     if (names_folder(name)) {
       folders_.push_back(std::make_unique<FrameFolder>(name));
@@ -48,8 +48,6 @@ PictureOutputs::PictureOutputs(const std::vector<std::string>& names,
       films_.push_back(make_animation_writer(name, settings));
     }
   }
-} catch (const RenderError& error) {
-  throw UsageError(error.what());
 }
 
 void note_film_differences(const std::vector<std::string>& names,

@@ -8,15 +8,15 @@
 #include "app/cli/streams.h"
 #include "app/film/picture_options.h"
 #include "app/output/frame_folder.h"
-#include "render/animation.h"
-#include "render/frame_pipeline.h"
+#include "render/files/animation.h"
+#include "render/pipeline/frame_pipeline.h"
 
 namespace wuerfel {
 
 class PictureOutputs {
  public:
   /// Folders and films by their names. Throws OutputError where one of them cannot be made or
-  /// ffmpeg is missing, and UsageError where a film cannot have these settings.
+  /// ffmpeg is missing, and RenderError where a film cannot have these settings.
   PictureOutputs(const std::vector<std::string>& names, const AnimationSettings& settings);
 
   [[nodiscard]] bool empty() const { return folders_.empty() && films_.empty(); }

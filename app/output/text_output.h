@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "render/output_file.h"
+#include "render/files/output_file.h"
 
 namespace wuerfel {
 

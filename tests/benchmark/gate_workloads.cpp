@@ -14,8 +14,8 @@
 
 #include "core/qp/qp_solver.h"
 #include "core/time/simulation.h"
-#include "render/compose_frame.h"
-#include "render/png.h"
+#include "render/files/png.h"
+#include "render/picture/compose_frame.h"
 #include "tests/benchmark/bench/scenes.h"
 #include "tests/support/qp_zoo.h"
 
@@ -127,7 +127,9 @@ void count_encoding() {
     for (int x = 0; x < image.width(); ++x)
       if ((x / 160 + y / 120) % 3 == 0) image.set(x, y, {0, 114, 178, 255});
   }
-  count("PNG 1280 x 720", [&] { static_cast<void>(compress_image(image)); });
+  ImageCompressor compressor;
+  CompressedImage compressed;
+  count("PNG 1280 x 720", [&] { compressor.compress(image, PngChannels::rgb, compressed); });
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "core/qp/block/block_cholesky.h"
 #include "core/qp/qp_solver.h"
 #include "core/qp/residual_meter.h"
-#include "render/deflate.h"
+#include "render/files/png.h"
 #include "tests/benchmark/bench/clock.h"
 #include "tests/support/qp_zoo.h"
 
@@ -222,8 +222,10 @@ void print_deflate(const Machine& machine) {
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
       if ((x / 160 + y / 120) % 3 == 0) image.set(x, y, {0, 114, 178, 255});
-  std::vector<std::uint8_t> bytes;
-  const double seconds = best_time(budget, [&] { deflate_image(image, 3, bytes); }).seconds;
+  ImageCompressor compressor;
+  CompressedImage compressed;
+  const double seconds =
+      best_time(budget, [&] { compressor.compress(image, PngChannels::rgb, compressed); }).seconds;
   const double read = static_cast<double>(image.bytes().size());
   print("deflate of a flat picture, 1280 x 720", count_text(read, "bytes"),
         read / machine.memory_bytes, seconds);

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "render/animation.h"
-#include "render/compose_frame.h"
-#include "render/draw_frame.h"
-#include "render/frame_pipeline.h"
-#include "render/png.h"
+#include "render/files/animation.h"
+#include "render/files/png.h"
+#include "render/picture/compose_frame.h"
+#include "render/pipeline/frame_pipeline.h"
+#include "render/raster/draw_frame.h"
 
 namespace wuerfel {
 namespace {
@@ -132,15 +132,14 @@ void png(benchmark::State& state, PngEncoder encoder, const Picture& picture) {
   Image image;
   draw_frame(shared_renderer(), picture.snapshot, picture.view, make_style(Theme::light),
              options_with(true), image);
+  ImageCompressor compressor(encoder);
   CompressedImage compressed;
   for (auto _ : state)
-    compress_image(image, encoder, PngChannels::rgb, compressed);
+    compressor.compress(image, PngChannels::rgb, compressed);
   state.counters["kB"] = static_cast<double>(compressed.stream.size()) / 1000.0;
 }
-void png_own_clip(benchmark::State& state) { png(state, PngEncoder::run_length, clip_picture()); }
-void png_own_grid(benchmark::State& state) {
-  png(state, PngEncoder::run_length, grid_picture(100));
-}
+void png_isal_clip(benchmark::State& state) { png(state, PngEncoder::isa_l, clip_picture()); }
+void png_isal_grid(benchmark::State& state) { png(state, PngEncoder::isa_l, grid_picture(100)); }
 void png_libpng_clip(benchmark::State& state) { png(state, PngEncoder::libpng, clip_picture()); }
 void png_libpng_grid(benchmark::State& state) { png(state, PngEncoder::libpng, grid_picture(100)); }
 
@@ -174,13 +173,11 @@ void pipeline(benchmark::State& state, const std::string& film, PngEncoder encod
       static_cast<double>(snapshots.size()) * static_cast<double>(state.iterations()),
       benchmark::Counter::kIsRate);
 }
-void pipeline_png(benchmark::State& state) { pipeline(state, "", PngEncoder::run_length, true); }
+void pipeline_png(benchmark::State& state) { pipeline(state, "", PngEncoder::isa_l, true); }
 void pipeline_libpng(benchmark::State& state) { pipeline(state, "", PngEncoder::libpng, true); }
-void pipeline_unchanged(benchmark::State& state) {
-  pipeline(state, "", PngEncoder::run_length, false);
-}
+void pipeline_unchanged(benchmark::State& state) { pipeline(state, "", PngEncoder::isa_l, false); }
 void pipeline_mp4(benchmark::State& state) {
-  pipeline(state, "render_benchmark.mp4", PngEncoder::run_length, true);
+  pipeline(state, "render_benchmark.mp4", PngEncoder::isa_l, true);
 }
 
 }  // namespace
@@ -194,8 +191,8 @@ BENCHMARK(draw_grid)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 BENCHMARK(compose)->Arg(100)->Arg(10000)->Unit(benchmark::kMillisecond);
-BENCHMARK(png_own_clip)->Unit(benchmark::kMillisecond);
-BENCHMARK(png_own_grid)->Unit(benchmark::kMillisecond);
+BENCHMARK(png_isal_clip)->Unit(benchmark::kMillisecond);
+BENCHMARK(png_isal_grid)->Unit(benchmark::kMillisecond);
 BENCHMARK(png_libpng_clip)->Unit(benchmark::kMillisecond);
 BENCHMARK(png_libpng_grid)->Unit(benchmark::kMillisecond);
 BENCHMARK(pipeline_png)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();

@@ -16,9 +16,9 @@
 
 #include <gtest/gtest.h>
 
-#include "render/compare.h"
-#include "render/draw_frame.h"
-#include "render/film_strip.h"
+#include "render/picture/film_strip.h"
+#include "render/raster/compare.h"
+#include "render/raster/draw_frame.h"
 #include "tests/support/image_golden.h"
 #include "tests/support/image_scenes.h"
 

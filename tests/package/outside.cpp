@@ -4,8 +4,8 @@
 #include "core/check.h"
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
-#include "render/draw_frame.h"
-#include "render/renderer.h"
+#include "render/raster/draw_frame.h"
+#include "render/raster/renderer.h"
 
 int main() {
   using namespace wuerfel;

@@ -204,7 +204,7 @@ class StandardStreams(ProgramTest):
     """What happens to people's messages must not happen to data."""
 
     def run_states(self, **options):
-        self.expect(0, "run", self.scene(FALLING), "--fps", "3000", "--states", "s.csv", "--step", "1", **options)
+        self.expect(0, "run", self.scene(FALLING), "--fps", "3000", "--states", "s.csv", "--theme", "dark", **options)
         self.assertTrue(self.content("s.csv").startswith("t,body"), self.content("s.csv")[:80])
 
     def test_messages_that_cannot_be_written_are_lost_and_no_more(self):
@@ -246,9 +246,13 @@ class Causes(ProgramTest):
         missing = {**os.environ, "LD_LIBRARY_PATH": self.path("lib")}
         scene = self.scene(STANDING)
         self.expect(0, "figure", scene, "-o", "f.png", "--size", "64x64")
-        for arguments in (("figure", scene, "-o", "g.png"), ("run", scene, "-o", "f/"), ("reproduce", "f.png")):
+        for arguments in (("figure", scene, "-o", "g.png"), ("run", scene, "-o", "f/"), ("run", scene, "-o", "f.apng"),
+                          ("reproduce", "f.png")):
             with self.subTest(arguments):
-                self.assertIn("OSMesa", self.expect(5, *arguments, env=missing).stderr)
+                done = self.expect(5, *arguments, env=missing)
+                self.assertIn("pictures need OSMesa", done.stderr)
+                self.assertIn("libosmesa6", done.stderr)
+        self.assertEqual(self.files(), ["f.png", "lib", "scene.json"])
 
 
 class Listing(ProgramTest):

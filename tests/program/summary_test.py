@@ -116,9 +116,6 @@ class Streams(ProgramTest):
 
     def test_options_that_do_nothing_are_noted(self):
         for arguments, words in ((("--size", "64x64"), "--size does nothing without -o"),
-                                 (("--step", "0.01"), "--step does nothing with --integrator auto"),
-                                 (("--integrator", "moreau", "--tolerance", "1e-6"), "--tolerance does nothing"),
-                                 (("--formulation", "points"), "between events"),
                                  (("-o", "f/", "--rod-scale", "2"), "without the layer rod-forces"),
                                  (("-o", "f.apng", "--encoder", "libpng"), "without a folder"),
                                  (("-o", "f.mp4", "--size", "65x64"), "f.mp4 is 66x64"),

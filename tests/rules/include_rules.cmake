@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(project_folders "app|core|render|tests|assets")
-set(library_headers "GL/|ft2build|png\\.h|cairo|coin|Ip[A-Z]|toml\\+\\+/|nlohmann/|CLI/|Eigen/|fmt/|gtest/|gmock/")
+set(library_headers "GL/|ft2build|png\\.h|cairo|isa-l|coin|Ip[A-Z]|toml\\+\\+/|nlohmann/|CLI/|Eigen/|fmt/|gtest/|gmock/")
 
 # Every include of a file of `files` that looks like one of the project's own or of a known library has to match one of
 # the patterns that follow.
@@ -42,8 +42,29 @@ may_include("${app}" app/ render/ core/ nlohmann/ fmt/ Eigen/)
 may_include("${app_reads}" app/ render/ core/ CLI/ fmt/)
 may_include("${app_libraries}" toml\\+\\+/ fmt/)
 
-sources_below(render render)
-may_include("${render}" render/ core/snapshot\\.h GL/ ft2build png\\.h cairo Eigen/ fmt/)
+# Each folder of render knows itself and what stands before it; OpenGL, Cairo and libpng have one folder each.
+set(known_render_folders picture raster vector files pipeline)
+set(picture render/picture/ "render/(error|shared_library)\\.h" core/snapshot\\.h ft2build Eigen/ fmt/)
+set(raster ${picture} render/raster/ GL/)
+set(vector ${picture} render/vector/ cairo)
+set(files ${picture} "render/raster/image\\.h" render/files/ png\\.h isa-l)
+set(pipeline ${picture} render/raster/ render/files/ render/pipeline/)
+
+foreach(folder IN LISTS known_render_folders)
+  sources_below(render/${folder} found)
+  may_include("${found}" ${${folder}})
+endforeach()
+
+file(GLOB render_root ${ROOT}/render/*.h ${ROOT}/render/*.cpp)
+may_include("${render_root}" render/)
+
+# What is installed includes nothing but what is installed, so that users of the library need no OpenGL, Cairo or libpng.
+if(EXISTS ${ROOT}/render/CMakeLists.txt)
+  file(STRINGS ${ROOT}/render/CMakeLists.txt installed REGEX "^  render/.*\\.h$")
+  list(TRANSFORM installed STRIP)
+  list(TRANSFORM installed PREPEND ${ROOT}/ OUTPUT_VARIABLE installed_files)
+  may_include("${installed_files}" ${installed} core/snapshot\\.h)
+endif()
 
 # Each folder of core knows itself and what stands before it.
 set(settings core/settings\\.h)

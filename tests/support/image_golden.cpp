@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "render/compare.h"
-#include "render/png.h"
+#include "render/files/png.h"
+#include "render/raster/compare.h"
 
 namespace wuerfel::testing {
 namespace {

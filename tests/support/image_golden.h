@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/image.h"
+#include "render/raster/image.h"
 
 namespace wuerfel::testing {
 

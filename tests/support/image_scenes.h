@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/snapshot.h"
-#include "render/frame_options.h"
-#include "render/layers.h"
-#include "render/style.h"
-#include "render/view.h"
+#include "render/picture/frame_options.h"
+#include "render/picture/layers.h"
+#include "render/picture/style.h"
+#include "render/picture/view.h"
 
 namespace wuerfel::testing {
 

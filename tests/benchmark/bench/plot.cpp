@@ -9,8 +9,8 @@
 #include <fmt/core.h>
 
 #include "app/output/text_output.h"
-#include "render/child_process.h"
 #include "render/error.h"
+#include "render/files/child_process.h"
 #include "tests/benchmark/bench/scenes.h"
 
 namespace wuerfel {

@@ -1,0 +1,83 @@
+#include "app/cli/picture_values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "app/cli/choice.h"
+#include "core/scene/suggestion.h"
+
+namespace wuerfel {
+
+namespace {
+
+constexpr int most_frames_a_side = 1024;  // 16 pixels each in the largest picture
+
+template <typename Enum>
+Enum find_name(std::string_view kind, std::string_view name) {
+  const std::vector<std::string> names = choices<Enum>();
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<Enum>(found - names.begin());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  throw UsageError(fmt::format("unknown {} '{}'{}", kind, name, suggestion(name, known)));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+}  // namespace
+
+Theme parse_theme(std::string_view text) { return find_name<Theme>("theme", text); }
+
+Layers parse_layers(std::string_view text) {
+  Layers layers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view name = trimmed(text.substr(begin, end - begin));
+    begin = end + 1;
+    if (!name.empty()) layers.insert(find_name<Layer>("layer", name));
+  }
+  return layers;
+}
+
+StripGrid parse_strip(std::string_view text) {
+  StripGrid grid;
+  const char* const end = text.data() + text.size();
+  const auto [middle, error] = std::from_chars(text.data(), end, grid.columns);
+  if (error == std::errc{} && middle != end && *middle == 'x') {
+    const auto [last, second_error] = std::from_chars(middle + 1, end, grid.rows);
+    const auto possible = [](int count) { return count > 0 && count <= most_frames_a_side; };
+    if (second_error == std::errc{} && last == end && possible(grid.columns) && possible(grid.rows))
+      return grid;
+  }
+  throw UsageError(fmt::format("'{}' is not a film strip: use COLUMNSxROWS such as 4x2", text));
+}
+
+WorldWindow parse_window(std::string_view text) {
+  std::array<double, 3> values{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (double& value : values) {
+    const auto [next, error] = std::from_chars(at, end, value);
+    const bool separated = &value == &values.back() ? next == end : next != end && *next == ',';
+    if (error != std::errc{} || !separated) {
+      throw UsageError(fmt::format(
+          "'{}' is not a view: use fit, x,y,width in metres such as 0,2.5,8, or follow:NAME",
+          text));
+    }
+    at = next + 1;
+  }
+  if (!(values[2] > 0.0) || !std::ranges::all_of(values, [](double v) { return std::isfinite(v); }))
+    throw UsageError("a view needs a finite centre and a width greater than 0 m");
+  return {Vec2(values[0], values[1]), values[2]};
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,137 @@
+#include "render/files/isal_deflate.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <zlib.h>
+
+#include "render/error.h"
+#include "render/files/isal_library.h"
+#include "render/files/png_chunks.h"
+
+namespace wuerfel::internal {
+namespace {
+
+constexpr int level = 1;
+constexpr int band_size = 1 << 20;  ///< bytes; a band has at least one row
+
+/// What is the same for all bands of a picture.
+struct Layout {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  friend bool operator==(const Layout&, const Layout&) = default;
+
+  int row_size() const { return 1 + channels * width; }
+  int band_rows() const { return std::max(1, band_size / row_size()); }
+  int bands() const { return (height + band_rows() - 1) / band_rows(); }
+};
+
+struct Band {
+  std::vector<std::uint8_t> packed;  ///< whole deflate blocks, none of them the last
+  std::uint32_t adler = 0;
+  int size = 0;  ///< bytes before packing
+};
+
+/// Two pixels at a time: six of eight bytes, of which the last two are overwritten by the next.
+/// `rgb` has two bytes to spare.
+void pack_rgb(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
+  constexpr std::uint64_t first = 0xFFFFFFU;
+  constexpr std::uint64_t second = first << 24U;
+  int x = 0;
+  for (; x + 1 < width; x += 2, rgba += 8, rgb += 6) {
+    std::uint64_t two = 0;
+    std::memcpy(&two, rgba, 8);
+    two = (two & first) | ((two >> 8U) & second);
+    std::memcpy(rgb, &two, 8);
+  }
+  if (x < width) std::memcpy(rgb, rgba, 3);
+}
+
+}  // namespace
+
+struct IsalDeflate::Workspace {
+  const IsalLibrary& isal = isal_library();
+  isal_zstream stream{};
+  std::vector<std::uint8_t> level_memory = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
+  std::vector<std::uint8_t> rows;    ///< of a band, as PNG wants them
+  std::vector<std::uint8_t> output;  ///< as large as a band can become
+  Layout layout;
+  std::vector<Band> bands;  ///< of the picture before
+
+  void lay_out(const Layout& wanted);
+  void pack_rows(const Image& image, int first, int last);
+  void pack(const Image& image, int first, int last, Band& band);
+};
+
+void IsalDeflate::Workspace::lay_out(const Layout& wanted) {
+  layout = wanted;
+  bands.assign(layout.bands(), Band());
+  const int most = layout.band_rows() * layout.row_size();
+  rows.resize(most + 2);
+  constexpr int blocks = 1024;  // what is longer than it was is stored in blocks with a header each
+  output.resize(most + most / 64 + blocks);
+}
+
+void IsalDeflate::Workspace::pack_rows(const Image& image, int first, int last) {
+  const int row_size = layout.row_size();
+  for (int y = first; y < last; ++y) {
+    std::uint8_t* row = rows.data() + (y - first) * row_size;
+    row[0] = 0;  // no filter
+    if (layout.channels == 4) {
+      std::memcpy(row + 1, image.row(y), row_size - 1);
+    } else {
+      pack_rgb(image.row(y), image.width(), row + 1);
+    }
+  }
+}
+
+void IsalDeflate::Workspace::pack(const Image& image, int first, int last, Band& band) {
+  pack_rows(image, first, last);
+  band.size = (last - first) * layout.row_size();
+  band.adler = isal.adler32(1, rows.data(), band.size);
+  isal.deflate_init(&stream);
+  stream.level = level;
+  stream.level_buf = level_memory.data();
+  stream.level_buf_size = static_cast<std::uint32_t>(level_memory.size());
+  stream.flush = FULL_FLUSH;  // ends with a whole byte, and the next band looks no further back
+  stream.next_in = rows.data();
+  stream.avail_in = static_cast<std::uint32_t>(band.size);
+  stream.next_out = output.data();
+  stream.avail_out = static_cast<std::uint32_t>(output.size());
+  if (const int problem = isal.deflate(&stream); problem != COMP_OK)
+    throw LibraryError("ISA-L reports error " + std::to_string(problem));
+  band.packed.assign(output.data(), stream.next_out);
+}
+
+IsalDeflate::IsalDeflate() : work_(std::make_unique<Workspace>()) {}
+
+IsalDeflate::~IsalDeflate() = default;
+
+void IsalDeflate::compress(const Image& image,
+                           int channels,
+                           RowRange changed,
+                           std::vector<std::uint8_t>& stream) {
+  const Layout layout{image.width(), image.height(), channels};
+  if (layout != work_->layout) {
+    work_->lay_out(layout);
+    changed = {0, image.height()};
+  }
+  stream.assign({0x78, 0x01});  // zlib's header: deflate, fast
+  std::uint32_t adler = 1;
+  for (int first = 0, i = 0; first < image.height(); first += layout.band_rows(), ++i) {
+    const int last = std::min(first + layout.band_rows(), image.height());
+    Band& band = work_->bands[i];
+    if (first < changed.end && changed.begin < last) work_->pack(image, first, last, band);
+    stream.insert(stream.end(), band.packed.begin(), band.packed.end());
+    adler = static_cast<std::uint32_t>(adler32_combine(adler, band.adler, band.size));
+  }
+  stream.insert(stream.end(), {0x01, 0x00, 0x00, 0xFF, 0xFF});  // the last block: nothing
+  append_u32(adler, stream);
+}
+
+std::uint32_t isal_crc32(std::uint32_t start, const std::vector<std::uint8_t>& bytes) {
+  return isal_library().crc32(start, bytes.data(), bytes.size());
+}
+
+}  // namespace wuerfel::internal

@@ -1,0 +1,120 @@
+/// DrawList: a picture as plain shapes in pixels, in the order in which they are painted. Every
+/// backend (OSMesa, Cairo) draws the same list, and tests can look at it without drawing.
+///
+/// Pixels: x to the right, y down, (0, 0) the upper left corner of the picture. Colours have
+/// straight alpha.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "render/picture/color.h"
+
+namespace wuerfel {
+
+struct Pixel {
+  float x = 0.0F;
+  float y = 0.0F;
+  friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// A posed rectangle. The outline lies inside, so that touching boxes don't overlap.
+struct BoxShape {
+  Pixel center;
+  Pixel axis{1.0F, 0.0F};  ///< unit vector along the width
+  Pixel half_size;
+  float outline_width = 0.0F;
+  float diagonal_width = 0.0F;  ///< > 0: both diagonals in the outline's colour, inside the outline
+  Color fill;
+  Color outline;
+  friend bool operator==(const BoxShape&, const BoxShape&) = default;
+};
+
+/// A straight stroke.
+struct SegmentShape {
+  Pixel from;
+  Pixel to;
+  float half_width = 0.5F;
+  float round = 1.0F;  ///< 1: round ends, 0: cut off at the end points
+  Color color;
+  friend bool operator==(const SegmentShape&, const SegmentShape&) = default;
+};
+
+/// An arrow with a swept-back head; the shaft ends inside the head.
+struct ArrowShape {
+  Pixel tail;
+  Pixel tip;
+  float half_width = 1.0F;
+  float head_length = 8.0F;
+  float head_half_width = 4.0F;
+  float grow = 0.0F;  ///< outline moved outwards by this many pixels: a halo
+  Color color;
+  friend bool operator==(const ArrowShape&, const ArrowShape&) = default;
+};
+
+/// A disc with an outline inside.
+struct DiscShape {
+  Pixel center;
+  float radius = 1.0F;
+  float outline_width = 0.0F;
+  Color fill;
+  Color outline;
+  friend bool operator==(const DiscShape&, const DiscShape&) = default;
+};
+
+/// A triangle with an outline inside. Its corners may come in either order.
+struct TriangleShape {
+  Pixel a;
+  Pixel b;
+  Pixel c;
+  float outline_width = 0.0F;
+  Color fill;
+  Color outline;
+  friend bool operator==(const TriangleShape&, const TriangleShape&) = default;
+};
+
+/// One line of text, drawn after all shapes.
+struct TextShape {
+  std::string text;  ///< UTF-8
+  Pixel baseline;    ///< where the first letter starts
+  float size = 14.0F;
+  Color color;
+  Color halo;  ///< around the letters
+  float halo_width = 0.0F;
+  friend bool operator==(const TextShape&, const TextShape&) = default;
+};
+
+enum class ShapeKind { box, segment, arrow, disc, triangle };
+
+/// `count` shapes of one kind from `first` on, drawn together.
+struct ShapeRun {
+  ShapeKind kind = ShapeKind::box;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  friend bool operator==(const ShapeRun&, const ShapeRun&) = default;
+};
+
+struct DrawList {
+  int width = 0;
+  int height = 0;
+  Color background;
+  std::vector<BoxShape> boxes;
+  std::vector<SegmentShape> segments;
+  std::vector<ArrowShape> arrows;
+  std::vector<DiscShape> discs;
+  std::vector<TriangleShape> triangles;
+  std::vector<ShapeRun> runs;  ///< painting order
+  std::vector<TextShape> texts;
+
+  /// Equal lists are equal pictures.
+  friend bool operator==(const DrawList&, const DrawList&) = default;
+
+  void add(const BoxShape& shape);
+  void add(const SegmentShape& shape);
+  void add(const ArrowShape& shape);
+  void add(const DiscShape& shape);
+  void add(const TriangleShape& shape);
+};
+
+}  // namespace wuerfel

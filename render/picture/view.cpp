@@ -1,0 +1,96 @@
+#include "render/picture/view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "render/error.h"
+
+namespace wuerfel {
+namespace {
+
+/// The four corners of a posed box.
+std::array<Vec2, 4> corners(const SnapshotBox& box) {
+  const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
+  return {box.center - along - across, box.center + along - across, box.center + along + across,
+          box.center - along + across};
+}
+
+bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point) {
+  constexpr double tolerance = 1e-9;
+  return std::ranges::any_of(planes, [&point](const SnapshotPlane& plane) {
+    return (point - plane.point).dot(plane.normal) < -tolerance * (1.0 + point.norm());
+  });
+}
+
+/// The places on the ground below the bodies. Ground farther away than the bodies are wide does not
+/// pull the picture towards it.
+void include_near_ground(const Snapshot& snapshot, Bounds& bounds) {
+  const double reach = 4.0 * std::max(bounds.size().x(), bounds.size().y());
+  for (const SnapshotPlane& plane : snapshot.planes) {
+    for (const SnapshotBox& box : snapshot.boxes) {
+      const double distance = (box.center - plane.point).dot(plane.normal);
+      const Vec2 foot = box.center - distance * plane.normal;
+      if (distance < reach && !inside_any(snapshot.planes, foot)) bounds.include(foot);
+    }
+  }
+}
+
+}  // namespace
+
+void Bounds::include(const Vec2& point) {
+  min = min.cwiseMin(point);
+  max = max.cwiseMax(point);
+}
+
+void Bounds::include(const SnapshotBox& box) {
+  for (const Vec2& corner : corners(box))
+    include(corner);
+}
+
+void Bounds::include(const Snapshot& snapshot, const ForceScale& force_scale) {
+  for (const SnapshotBox& box : snapshot.boxes)
+    include(box);
+  if (!empty()) include_near_ground(snapshot, *this);
+  if (force_scale.metres_per_newton <= 0.0) return;
+  for (const SnapshotForce& force : snapshot.forces) {
+    const double length = force_scale.metres_per_newton * force.force.norm();
+    const double shown = std::min(length, force_scale.longest);
+    if (shown > 0.0)
+      include(Vec2(force.point + force_scale.metres_per_newton * shown / length * force.force));
+  }
+}
+
+View fit_view(const Bounds& bounds, int width, int height, const Insets& insets) {
+  const double room_x = std::max(width - insets.left - insets.right, 0.25 * width);
+  const double room_y = std::max(height - insets.top - insets.bottom, 0.25 * height);
+  Vec2 size = bounds.size();
+  if (std::max(size.x(), size.y()) <= 0.0) size = Vec2::Ones();
+  View view;
+  view.width = width;
+  view.height = height;
+  view.pixels_per_metre =
+      std::min(room_x / std::max(size.x(), 1e-300), room_y / std::max(size.y(), 1e-300));
+  if (bounds.empty()) return view;
+  const double middle_x = insets.left + 0.5 * (width - insets.left - insets.right);
+  view.center.x() =
+      0.5 * (bounds.min.x() + bounds.max.x()) + (0.5 * width - middle_x) / view.pixels_per_metre;
+  view.center.y() = bounds.min.y() + (0.5 * height - insets.bottom) / view.pixels_per_metre;
+  return view;
+}
+
+View fixed_view(const Vec2& center, double world_width, int width, int height) {
+  if (!(world_width > 0.0) || !std::isfinite(world_width) || !center.allFinite()) {
+    throw RenderError("a view needs a finite centre and a width greater than 0 m");
+  }
+  View view;
+  view.width = width;
+  view.height = height;
+  view.center = center;
+  view.pixels_per_metre = width / world_width;
+  return view;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,196 @@
+#include "render/raster/changed_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace wuerfel::internal {
+namespace {
+
+/// In pixels, wide enough for every pixel that a shape may change.
+struct Extent {
+  float left = 0.0F;
+  float top = 0.0F;
+  float right = 0.0F;
+  float bottom = 0.0F;
+};
+
+Extent around(Pixel a, Pixel b, float margin) {
+  return {std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin, std::max(a.x, b.x) + margin,
+          std::max(a.y, b.y) + margin};
+}
+
+// The quads of assets/shaders reach one pixel farther than their shapes.
+constexpr float fringe = 2.0F;
+
+Extent extent(const BoxShape& box) {
+  const float width = box.half_size.x + fringe;
+  const float height = box.half_size.y + fringe;
+  const float x = std::abs(box.axis.x) * width + std::abs(box.axis.y) * height;
+  const float y = std::abs(box.axis.y) * width + std::abs(box.axis.x) * height;
+  return {box.center.x - x, box.center.y - y, box.center.x + x, box.center.y + y};
+}
+
+Extent extent(const SegmentShape& segment) {
+  return around(segment.from, segment.to, 2.0F * (segment.half_width + fringe));
+}
+
+Extent extent(const ArrowShape& arrow) {
+  // A halo's corners run ahead by up to 3.5 times its width; the head's by its own half width.
+  const float margin = std::max(arrow.half_width, arrow.head_half_width) + arrow.head_length
+                       + 3.5F * arrow.grow + fringe;
+  return around(arrow.tail, arrow.tip, 1.5F * margin);
+}
+
+Extent extent(const DiscShape& disc) {
+  return around(disc.center, disc.center, disc.radius + fringe);
+}
+
+Extent extent(const TriangleShape& triangle) {
+  const Extent ab = around(triangle.a, triangle.b, fringe);
+  const Extent bc = around(triangle.b, triangle.c, fringe);
+  return {std::min(ab.left, bc.left), std::min(ab.top, bc.top), std::max(ab.right, bc.right),
+          std::max(ab.bottom, bc.bottom)};
+}
+
+/// Calls `work` with the shapes of a kind.
+template <typename Work>
+auto with_shapes(const DrawList& list, ShapeKind kind, const Work& work) {
+  switch (kind) {
+    case ShapeKind::segment:
+      return work(list.segments);
+    case ShapeKind::arrow:
+      return work(list.arrows);
+    case ShapeKind::disc:
+      return work(list.discs);
+    case ShapeKind::triangle:
+      return work(list.triangles);
+    case ShapeKind::box:
+      break;
+  }
+  return work(list.boxes);
+}
+
+/// The smallest region around all that was added, cut off at the picture.
+class GrowingRegion {
+ public:
+  explicit GrowingRegion(const Region& picture)
+      : picture_(picture), region_{picture.right, picture.bottom, picture.left, picture.top} {}
+
+  void add(const Extent& extent) {
+    const auto place = [](float pixel, int low, int high) {
+      return static_cast<int>(
+          std::clamp(std::floor(pixel), static_cast<float>(low), static_cast<float>(high)));
+    };
+    const Extent& e = extent;
+    if (!std::isfinite(e.left + e.top + e.right + e.bottom)) {
+      region_ = picture_;
+      return;
+    }
+    region_.left = std::min(region_.left, place(e.left, picture_.left, picture_.right));
+    region_.top = std::min(region_.top, place(e.top, picture_.top, picture_.bottom));
+    region_.right = std::max(region_.right, place(e.right + 1.0F, picture_.left, picture_.right));
+    region_.bottom =
+        std::max(region_.bottom, place(e.bottom + 1.0F, picture_.top, picture_.bottom));
+  }
+
+  Region region() const {
+    if (region_.width() > 0 && region_.height() > 0) return region_;
+    return {picture_.left, picture_.top, picture_.left + 1, picture_.top + 1};
+  }
+
+ private:
+  Region picture_;
+  Region region_;
+};
+
+/// All shapes of a run from its `from`-th on.
+void add_shapes(const DrawList& list,
+                const ShapeRun& run,
+                std::size_t from,
+                GrowingRegion& region) {
+  with_shapes(list, run.kind, [&](const auto& shapes) {
+    for (std::size_t i = from; i < run.count; ++i)
+      region.add(extent(shapes[run.first + i]));
+  });
+}
+
+/// The shapes that differ in two runs of one kind.
+void add_differences(const DrawList& before,
+                     const ShapeRun& old_run,
+                     const DrawList& after,
+                     const ShapeRun& new_run,
+                     GrowingRegion& region) {
+  const std::size_t common = std::min(old_run.count, new_run.count);
+  with_shapes(after, new_run.kind, [&](const auto& shapes) {
+    using Shapes = std::remove_cvref_t<decltype(shapes)>;
+    with_shapes(before, old_run.kind, [&](const auto& old_shapes) {
+      if constexpr (std::is_same_v<Shapes, std::remove_cvref_t<decltype(old_shapes)>>) {
+        for (std::size_t i = 0; i < common; ++i) {
+          const auto& was = old_shapes[old_run.first + i];
+          const auto& is = shapes[new_run.first + i];
+          if (was == is) continue;
+          region.add(extent(was));
+          region.add(extent(is));
+        }
+      }
+    });
+  });
+  add_shapes(before, old_run, common, region);
+  add_shapes(after, new_run, common, region);
+}
+
+}  // namespace
+
+Region whole_picture(const DrawList& list) { return {0, 0, list.width, list.height}; }
+
+Region changed_region(const DrawList& before, const DrawList& after) {
+  GrowingRegion region(whole_picture(after));
+  std::size_t i = 0;
+  const std::size_t common = std::min(before.runs.size(), after.runs.size());
+  // Where kinds differ, shapes have changed their place in the painting order.
+  for (; i < common && before.runs[i].kind == after.runs[i].kind; ++i)
+    add_differences(before, before.runs[i], after, after.runs[i], region);
+  for (std::size_t j = i; j < before.runs.size(); ++j)
+    add_shapes(before, before.runs[j], 0, region);
+  for (std::size_t j = i; j < after.runs.size(); ++j)
+    add_shapes(after, after.runs[j], 0, region);
+  return region.region();
+}
+
+RowRange changed_text_rows(const DrawList& before, const DrawList& after) {
+  RowRange rows{after.height, 0};
+  const auto place = [&](float y) {
+    return static_cast<int>(std::clamp(y, 0.0F, static_cast<float>(after.height)));
+  };
+  // No letter is higher, or hangs deeper, than twice its size.
+  const auto add = [&](const TextShape& text) {
+    const float reach = 2.0F * text.size + text.halo_width + 1.0F;
+    if (!std::isfinite(text.baseline.y)) {
+      rows = {0, after.height};
+      return;
+    }
+    rows.begin = std::min(rows.begin, place(text.baseline.y - reach));
+    rows.end = std::max(rows.end, place(text.baseline.y + reach));
+  };
+  const std::size_t most = std::max(before.texts.size(), after.texts.size());
+  for (std::size_t i = 0; i < most; ++i) {
+    const bool was = i < before.texts.size();
+    const bool is = i < after.texts.size();
+    if (was && is && before.texts[i] == after.texts[i]) continue;
+    if (was) add(before.texts[i]);
+    if (is) add(after.texts[i]);
+  }
+  return rows;
+}
+
+bool touches(const DrawList& list, ShapeKind kind, std::size_t index, const Region& region) {
+  const Extent shape =
+      with_shapes(list, kind, [index](const auto& shapes) { return extent(shapes[index]); });
+  return !(shape.right < static_cast<float>(region.left)
+           || shape.left > static_cast<float>(region.right)
+           || shape.bottom < static_cast<float>(region.top)
+           || shape.top > static_cast<float>(region.bottom));
+}
+
+}  // namespace wuerfel::internal

@@ -1,0 +1,42 @@
+/// Renderer: draws draw lists into images. Keeps the context, the shaders and the font between
+/// pictures.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/picture/draw_list.h"
+#include "render/picture/font.h"
+#include "render/raster/image.h"
+#include "render/raster/raster_threads.h"
+
+namespace wuerfel {
+
+/// Belongs to one thread at a time; a process wants one. Drawing is a function of the list alone:
+/// whatever was drawn before and however many threads there are, the pixels are the same.
+class Renderer {
+ public:
+  /// Throws LibraryError where OSMesa is missing.
+  explicit Renderer(RasterThreads threads = RasterThreads::all);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  Renderer(Renderer&&) = delete;
+  Renderer& operator=(Renderer&&) = delete;
+
+  /// Paints `list` into `image`, which is made anew where its size differs from the list's. Outside
+  /// of the rows returned the picture equals the one drawn before.
+  RowRange draw(const DrawList& list, Image& image);
+
+  /// The font of the texts, to measure them.
+  Font& font();
+  /// Name and version of what rasterises, for manifests and bug reports.
+  const std::string& description() const;
+
+ private:
+  class OpenGl;  // users need no OpenGL headers
+  std::unique_ptr<OpenGl> gl_;
+  Font font_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,48 @@
+/// ShapePipeline: shaders and vertices for one kind of shape.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "render/picture/draw_list.h"
+#include "render/raster/changed_region.h"
+#include "render/raster/offscreen_context.h"
+
+namespace wuerfel::internal {
+
+/// Draws all shapes of a run at once, each in a quad (a long arrow in two) whose fragments know how
+/// far they are from the shape's edge. Every vertex carries the whole shape: drawing instances
+/// instead would send less, but costs llvmpipe 2 microseconds for each.
+class ShapePipeline {
+ public:
+  /// Throws LibraryError where the shaders are refused.
+  ShapePipeline(const GlFunctions& gl, ShapeKind kind);
+  ~ShapePipeline();
+  ShapePipeline(const ShapePipeline&) = delete;
+  ShapePipeline& operator=(const ShapePipeline&) = delete;
+  ShapePipeline(ShapePipeline&&) = delete;
+  ShapePipeline& operator=(ShapePipeline&&) = delete;
+
+  /// Those shapes of a run of this kind that touch `region`, into the picture that is being drawn.
+  void draw(const DrawList& list, const ShapeRun& run, const Region& region);
+
+ private:
+  void describe_vertices();
+  void make_indices(std::size_t quads);
+  void draw_quads(std::size_t count);
+
+  const GlFunctions& gl_;
+  ShapeKind kind_;
+  std::size_t stride_;
+  GLuint program_ = 0;
+  GLuint vertex_array_ = 0;
+  GLuint vertex_buffer_ = 0;
+  GLuint index_buffer_ = 0;
+  GLint picture_ = -1;
+  GLint whole_ = -1;  ///< arrows only
+  std::size_t indexed_quads_ = 0;
+  std::vector<std::byte> vertices_;  ///< of the shapes that are to be drawn next
+};
+
+}  // namespace wuerfel::internal

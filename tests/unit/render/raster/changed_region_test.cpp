@@ -1,0 +1,165 @@
+// A picture drawn after another one is the picture drawn alone, to the pixel.
+#include "render/raster/changed_region.h"
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "render/picture/compose_frame.h"
+#include "render/raster/renderer.h"
+#include "tests/support/image_scenes.h"
+
+namespace wuerfel::internal {
+namespace {
+
+class InChanges : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    changing = std::make_unique<Renderer>(RasterThreads::caller);
+    fresh = std::make_unique<Renderer>(RasterThreads::caller);
+  }
+  static void TearDownTestSuite() {
+    changing.reset();
+    fresh.reset();
+  }
+
+  /// Draws with the renderer that knows the picture before, compares with one that was made to
+  /// forget it, and the rows said to be unchanged with the picture before.
+  static void draw_and_compare(const DrawList& list) {
+    Image image;
+    const RowRange changed = changing->draw(list, image);
+    Image alone;
+    DrawList other;
+    other.width = list.width;
+    other.height = list.height;
+    other.background = {1, 2, 3, 255};
+    fresh->draw(other, alone);
+    fresh->draw(list, alone);
+    ASSERT_EQ(image, alone);
+    for (int y = 0; y < image.height(); ++y) {
+      if (before.height() != image.height() || (y >= changed.begin && y < changed.end)) continue;
+      ASSERT_TRUE(std::equal(image.row(y), image.row(y) + 4 * image.width(), before.row(y))) << y;
+    }
+    before = image;
+  }
+
+  static inline std::unique_ptr<Renderer> changing;
+  static inline std::unique_ptr<Renderer> fresh;
+  static inline Image before;
+};
+
+TEST_F(InChanges, FramesOfAFilmAreAsIfDrawnAlone) {
+  Font font;
+  for (const Theme theme : {Theme::light, Theme::dark, Theme::print, Theme::transparent}) {
+    const Style style = make_style(theme);
+    const FrameOptions options =
+        testing::literal_options({Layer::cubes, Layer::rods, Layer::forces, Layer::velocities,
+                                  Layer::contacts, Layer::names, Layer::hud});
+    Snapshot snapshot = testing::pyramid_snapshot();
+    const View view = testing::literal_view(snapshot, style, options, 320, 180);
+    for (int i = 0; i < 12; ++i) {
+      snapshot.boxes[6].center += Vec2(0.013, -0.02);
+      snapshot.boxes[6].angle += 0.05;
+      snapshot.time += 0.01;
+      if (i % 3 == 2) snapshot.forces.pop_back();
+      draw_and_compare(compose_frame(snapshot, view, style, options, font));
+    }
+  }
+}
+
+/// Some shapes of every kind at random places, also outside of the picture.
+class RandomShapes {
+ public:
+  explicit RandomShapes(unsigned seed) : random_(seed) {}
+
+  void add_some(DrawList& list) {
+    for (int i = 0; i < 3; ++i) {
+      const Pixel a = place();
+      const Pixel b = place();
+      list.add(BoxShape{
+          a, axis(), {size(), size()}, 2.0F, size() > 12.0F ? 1.0F : 0.0F, color(), color()});
+      list.add(SegmentShape{a, b, 0.1F * size(), size() > 12.0F ? 1.0F : 0.0F, color()});
+      list.add(ArrowShape{a, b, 2.0F, 10.0F, 5.0F, size() > 12.0F ? 1.5F : 0.0F, color()});
+      list.add(DiscShape{b, size(), 2.0F, color(), color()});
+      list.add(TriangleShape{a, b, place(), 1.5F, color(), color()});
+    }
+  }
+  Pixel place() { return {uniform(-20.0F, 220.0F), uniform(-20.0F, 140.0F)}; }
+
+ private:
+  float uniform(float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random_);
+  }
+  float size() { return uniform(0.5F, 25.0F); }
+  Pixel axis() {
+    const float angle = uniform(0.0F, 6.28F);
+    return {std::cos(angle), std::sin(angle)};
+  }
+  Color color() {
+    const auto byte = [this] { return static_cast<std::uint8_t>(random_()); };
+    return {byte(), byte(), byte(), byte()};
+  }
+  std::mt19937 random_;
+};
+
+TEST_F(InChanges, ShapesOfEveryKindThatMoveAppearAndVanishAreAsIfDrawnAlone) {
+  RandomShapes shapes(5);
+  DrawList list;
+  list.width = 200;
+  list.height = 120;
+  list.background = rgb(0xFFFFFF);
+  shapes.add_some(list);
+  for (int i = 0; i < 60; ++i) {
+    switch (i % 5) {
+      case 0:
+        list.boxes[i % list.boxes.size()].center = shapes.place();
+        break;
+      case 1:
+        list.arrows[i % list.arrows.size()].tip = shapes.place();
+        break;
+      case 2:
+        list.discs[i % list.discs.size()].center = shapes.place();
+        break;
+      case 3:
+        list.triangles[i % list.triangles.size()].a = shapes.place();
+        break;
+      default:
+        list.segments[i % list.segments.size()].to = shapes.place();
+    }
+    if (i % 20 == 19) {
+      DrawList fewer = list;
+      fewer.runs.resize(fewer.runs.size() / 2);
+      draw_and_compare(fewer);
+    }
+    draw_and_compare(list);
+  }
+}
+
+TEST_F(InChanges, AnEqualListChangesNoMoreThanAPixel) {
+  RandomShapes shapes(6);
+  DrawList list;
+  list.width = 200;
+  list.height = 120;
+  shapes.add_some(list);
+  EXPECT_EQ(changed_region(list, list), (Region{0, 0, 1, 1}));
+}
+
+TEST_F(InChanges, AMovedShapeChangesItsPlacesAndLittleAround) {
+  DrawList before_move;
+  before_move.width = 200;
+  before_move.height = 120;
+  before_move.add(BoxShape{{100.0F, 60.0F}, {1.0F, 0.0F}, {50.0F, 50.0F}, 1.0F, 0.0F, {}, {}});
+  before_move.add(DiscShape{{20.0F, 20.0F}, 5.0F, 0.0F, {}, {}});
+  DrawList after_move = before_move;
+  after_move.discs[0].center = {30.0F, 20.0F};
+  const Region region = changed_region(before_move, after_move);
+  EXPECT_LE(region.left, 14);
+  EXPECT_GE(region.left, 11);
+  EXPECT_GE(region.right, 36);
+  EXPECT_LE(region.right, 39);
+}
+
+}  // namespace
+}  // namespace wuerfel::internal
