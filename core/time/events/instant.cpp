@@ -56,8 +56,8 @@ void add_impacts(const System& system,
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (hit.after.forces[k] <= least) continue;
-    now.events.push_back({t, kind, system.body(c.on).name, system.body(c.from).name,
-                          c.point, hit.after.forces[k]});
+    now.events.push_back(
+        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, hit.after.forces[k]});
   }
 }
 
