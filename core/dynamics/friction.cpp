@@ -126,6 +126,17 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
   return solution;
 }
 
+IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  builder_.velocity(state, island, use);
+  builder_.add_friction(state, island, use, Order::velocity);
+  // No impulses are a solution as well; a solver without a memory begins where all stick.
+  CoulombSolver solver;
+  CoulombResult result;
+  solver.solve(builder_.friction_program(), result, keys_of(island));
+  return read(state, island, result);
+}
+
 bool FrictionDynamics::rests(const State& still, const Island& island) {
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   builder_.acceleration(still, island, use);

@@ -30,6 +30,9 @@ class FrictionDynamics {
   /// and Newton's law of restitution on total impulses [Glocker 2013]. Velocities below `slow` (m/s)
   /// do not bounce.
   IslandSolution impact(const State& state, const Island& island, double slow);
+  /// Impact without collision, where no accelerations exist (Painleve): the impulses that stop what
+  /// slips, contacts sticking where they can. [Brogliato 1999]
+  IslandSolution jam(const State& state, const Island& island);
   /// Whether the island can stay at rest where it is: an equilibrium exists [friction's cone is the
   /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
   bool rests(const State& still, const Island& island);

@@ -50,4 +50,11 @@ Impact impact(const System& system,
   return with_loss(system, state, island, dynamics.impact(state, island, slow));
 }
 
+Impact jam(const System& system,
+           const State& state,
+           const Island& island,
+           FrictionDynamics& dynamics) {
+  return with_loss(system, state, island, dynamics.jam(state, island));
+}
+
 }  // namespace wuerfel

@@ -28,4 +28,10 @@ Impact impact(const System& system,
               double slow,
               FrictionDynamics& dynamics);
 
+/// Impact without collision of an island for which no accelerations exist.
+Impact jam(const System& system,
+           const State& state,
+           const Island& island,
+           FrictionDynamics& dynamics);
+
 }  // namespace wuerfel

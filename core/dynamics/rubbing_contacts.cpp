@@ -1,8 +1,9 @@
 #include "core/dynamics/rubbing_contacts.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Dense>
 
 namespace wuerfel {
 namespace {
@@ -44,11 +45,8 @@ void add(const System& system,
   on_body(contact.from, row.from);
 }
 
-void set_targets(const System& system,
-                 const State& state,
-                 const Island& island,
-                 Order order,
-                 Equations& e) {
+void set_targets(
+    const System& system, const State& state, const Island& island, Order order, Equations& e) {
   const auto n = static_cast<Eigen::Index>(3 * island.cubes.size());
   e.target = Eigen::VectorXd::Zero(n);
   e.inverse_mass.resize(n);

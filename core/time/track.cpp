@@ -20,6 +20,9 @@ constexpr int most_patience = 32;
 /// Beyond so many cubes a group that was handed over goes back only to be found at rest: the linear
 /// algebra of one smooth phase costs as much as many steps.
 constexpr int most_event_cubes = 100;
+/// Beyond so many cubes a group that rubs or bounces is stepped only: the equations of a smooth phase
+/// with friction are dense.
+constexpr int most_rubbing_cubes = 12;
 /// Where the user did not choose a step: the first one and the longest, in frames.
 constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
@@ -34,7 +37,7 @@ constexpr int looks_per_piece = 4;
 Track::Track(const System& system, const MotionSettings& settings)
     : system_(&system),
       settings_(settings),
-      only_steps_(system.rubs || system.bounces),
+      only_steps_((system.rubs || system.bounces) && system.cubes > most_rubbing_cubes),
       events_(system, settings) {}
 
 void Track::begin_steps(const State& state, double t) {

@@ -80,7 +80,7 @@ class Track {
 
   const System* system_;
   MotionSettings settings_;
-  bool only_steps_ = false;  ///< where bodies rub or bounce, which events do not know
+  bool only_steps_ = false;  ///< large groups that rub or bounce
   EventMotion events_;
   std::unique_ptr<ControlledStepping> steps_;  ///< none before the first step
   std::unique_ptr<StepLook> look_;             ///< none before the first look between steps

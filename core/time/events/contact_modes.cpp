@@ -24,10 +24,9 @@ IslandSolution accelerations(const Island& island,
                              std::span<const SideUse> use,
                              Workspace& work) {
   IslandSolution solution =
-      rubs(*work.system, island)
-          ? work.friction.accelerations(state, island, use,
-                                        directions_of_slip(*work.system, state, island))
-          : work.dynamics.accelerations(state, island, use);
+      rubs(*work.system, island) ? work.friction.accelerations(
+          state, island, use, directions_of_slip(*work.system, state, island))
+                                 : work.dynamics.accelerations(state, island, use);
   work.solves.add(solution);
   return solution;
 }

@@ -26,8 +26,26 @@ constexpr double trusted_share = 0.01;
 constexpr int most_corrections = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double difference_share = 1e-6;
+/// Parts of a step in which the work of friction is booked.
+constexpr int friction_parts = 16;
 /// What is left of bouncing when a contact no longer bounces takes less than this share of L / V.
 constexpr double longest_tail = 0.05;
+
+/// Books what friction takes in a step from `start` at time t, part by part: nothing else takes
+/// energy between events.
+void note_friction(
+    const System& system, const State& start, double t, const SmoothStep& step, Bookkeeping& book) {
+  State state = start;
+  double before = energy(system, start);
+  for (int k = 1; k <= friction_parts; ++k) {
+    const double share = static_cast<double>(k) / friction_parts;
+    const double since = t + step.elapsed * (k - 1) / friction_parts;
+    if (k < friction_parts) look_at(step.motion, share * step.elapsed / step.length, state);
+    const double after = energy(system, k < friction_parts ? state : step.end);
+    book.losses.push_back({t + share * step.elapsed, before - after, true, since});
+    before = after;
+  }
+}
 
 /// Names of the pairs that stay in touch, in order.
 std::vector<BounceSeries::NamePair> closed_pairs(const System& system,
@@ -101,12 +119,8 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   if (event) reach(*event);
   note_step(step, forced, book);
   pieces.push_back(last_piece());
+  if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
   clock_ += step.elapsed;
-  // Nothing else takes energy between events.
-  if (phase_.equations().slips()) {
-    const double rubbed = energy(*system_, state()) - energy(*system_, step.end);
-    book.losses.push_back({clock_, rubbed, true, clock_ - step.elapsed});
-  }
   if (event) {
     const bool instant = step.elapsed <= instant_share * phase_.scales().time;
     instant_events_ = instant ? instant_events_ + 1 : 0;
@@ -189,8 +203,14 @@ void EventMotion::reach(const FirstEvent& event) {
 
 MotionPiece EventMotion::last_piece() const {
   const SmoothStep& step = phase_.last();
-  return {MotionPiece::Kind::smooth,     clock_, step.length, phase_.state(), step.motion,
-          phase_.equations().contacts(), {}, phase_.equations().touches()};
+  return {MotionPiece::Kind::smooth,
+          clock_,
+          step.length,
+          phase_.state(),
+          step.motion,
+          phase_.equations().contacts(),
+          {},
+          phase_.equations().touches()};
 }
 
 /// The phase that the last step ends, its contacts as they are there.

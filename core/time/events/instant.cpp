@@ -46,14 +46,18 @@ void separate(double touching,
 }
 
 /// An impact's events, one per contact that presses.
-void add_impacts(
-    const System& system, const Island& island, const Impact& hit, double t, Instant& now) {
+void add_impacts(const System& system,
+                 const Island& island,
+                 const Impact& hit,
+                 double t,
+                 EventKind kind,
+                 Instant& now) {
   const double least = hit.after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (hit.after.forces[k] <= least) continue;
-    now.events.push_back({t, EventKind::impact, system.body(c.on).name, system.body(c.from).name,
-                          c.point, hit.after.forces[k]});
+    now.events.push_back(
+        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, hit.after.forces[k]});
   }
 }
 
@@ -114,12 +118,20 @@ void happen_to(const Island& island,
                                : impact(system, now.state, island, work.dynamics);
     work.solves.add(hit.after);
     set_velocities(island, hit.after.twists, now.state);
-    add_impacts(system, island, hit, t, now);
+    add_impacts(system, island, hit, t, EventKind::impact, now);
   }
   if (rests(island, now.state, scales, limits, work)) {
     stop(system, island, t, !rested && t > 0.0, now);
   } else {
-    close(island, find_modes(island, now.state, scales, hits, work), now, work);
+    IslandModes modes = find_modes(island, now.state, scales, hits, work);
+    if (modes.wedged && rubs(system, island)) {
+      const Impact hit = jam(system, now.state, island, work.friction);
+      work.solves.add(hit.after);
+      set_velocities(island, hit.after.twists, now.state);
+      add_impacts(system, island, hit, t, EventKind::jam, now);
+      modes = find_modes(island, now.state, scales, true, work);
+    }
+    close(island, modes, now, work);
   }
 }
 

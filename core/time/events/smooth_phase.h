@@ -61,7 +61,7 @@ class EquationsOfMotion {
  private:
   ClosedContacts contacts_;
   std::vector<Touch> touches_;
-  int slips_ = 0;  ///< touches that slip
+  int slips_ = 0;              ///< touches that slip
   State state_;                ///< scratch of a call
   std::vector<Twist> twists_;  ///< likewise
 };
@@ -87,9 +87,7 @@ class SmoothPhase {
   [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
   [[nodiscard]] const EquationsOfMotion& equations() const { return equations_; }
   /// The closed contacts, as they are at the last state that was asked for.
-  [[nodiscard]] ContactSet closed() const {
-    return {equations_.contacts(), equations_.touches()};
-  }
+  [[nodiscard]] ContactSet closed() const { return {equations_.contacts(), equations_.touches()}; }
 
   /// Takes a step of at most `most` s.
   const SmoothStep& step(double most);
