@@ -17,7 +17,7 @@ void ClosedContacts::close(const std::vector<Contact>& contacts, const std::vect
   }
   std::ranges::sort(island_.cubes);
   island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
-  use_.assign(contacts.size(), SideUse::equality);
+  laid_out_ = false;
   resting_ = resting;
   boxes_.resize(system_->count());
   for (int i = system_->cubes; i < system_->count(); ++i)
@@ -35,10 +35,16 @@ void ClosedContacts::pose(const State& state) {
 
 void ClosedContacts::solve(const State& state, Order order) {
   pose(state);
-  if (order == Order::acceleration) builder_.acceleration(state, island_, use_);
-  if (order == Order::velocity) builder_.velocity(state, island_, use_);
-  if (order == Order::position) builder_.position(state, island_, use_);
-  solver_.factorise(builder_.program());
+  if (laid_out_) {
+    builder_.renew(state, island_, order);
+    solver_.factorise_again(builder_.program());
+  } else {
+    const std::vector<SideUse> use(island_.contacts.size(), SideUse::equality);
+    builder_.acceleration(state, island_, use);
+    if (order != Order::acceleration) builder_.renew(state, island_, order);
+    solver_.factorise(builder_.program());
+    laid_out_ = true;
+  }
   solver_.solve(builder_.program(), x_, forces_);
 }
 

@@ -49,6 +49,10 @@ class ProgramBuilder {
                 std::span<const SideUse> use,
                 std::span<const Twist> targets = {});
 
+  /// The program built last, at another state and of any order, in the rigid form: the same island with
+  /// all of its contacts used as before. Nothing but numbers changes.
+  void renew(const State& state, const Island& island, Order order);
+
   [[nodiscard]] const QuadraticProgram& program() const { return program_; }
   /// Number of the row of the first contact: that many rods come before it.
   [[nodiscard]] int first_contact_row() const { return first_contact_row_; }
@@ -58,18 +62,23 @@ class ProgramBuilder {
                                           const std::vector<double>& x) const;
 
  private:
-  void begin(const State& state,
+  void build(const State& state,
              const Island& island,
+             std::span<const SideUse> use,
              Order order,
-             std::span<const Twist> targets = {});
-  void add_rods(const State& state, int cube, int first_block, Order order);
-  void add_sides(const State& state,
-                 const Island& island,
-                 std::span<const SideUse> use,
-                 Order order);
+             std::span<const Twist> targets);
+  void number_cubes(const Island& island);
+  // The rigid form: what stays the same, and the numbers.
+  void lay_out(const Island& island, std::span<const SideUse> use);
+  void fill(const State& state,
+            const Island& island,
+            std::span<const SideUse> use,
+            Order order,
+            std::span<const Twist> targets);
+  // All points.
+  void add_points(const State& state, int cube, Order order, const Twist& goal);
+  void add_rods(const State& state, int cube, Order order);
   void add_side(const State& state, const Contact& contact, SideUse use, Order order);
-  void add_point_entries(const Contact& contact, const SideRow& row);
-  void add_rigid_entries(const Contact& contact, const ContactRow& row);
 
   const System* system_;
   Formulation formulation_;
