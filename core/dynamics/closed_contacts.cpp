@@ -20,7 +20,7 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
   }
   std::ranges::sort(island_.cubes);
   island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
-  use_.assign(contacts.size(), SideUse::equality);
+  laid_out_ = false;
   resting_ = resting;
   boxes_.resize(system_->count());
   for (int i = system_->cubes; i < system_->count(); ++i)
@@ -42,10 +42,16 @@ void ClosedContacts::solve(const State& state, Order order) {
     rubbing_.solve(*system_, state, island_, order, x_, forces_);
     return;
   }
-  if (order == Order::acceleration) builder_.acceleration(state, island_, use_);
-  if (order == Order::velocity) builder_.velocity(state, island_, use_);
-  if (order == Order::position) builder_.position(state, island_, use_);
-  solver_.factorise(builder_.program());
+  if (laid_out_) {
+    builder_.renew(state, island_, order);
+    solver_.factorise_again(builder_.program());
+  } else {
+    const std::vector<SideUse> use(island_.contacts.size(), SideUse::equality);
+    builder_.acceleration(state, island_, use);
+    if (order != Order::acceleration) builder_.renew(state, island_, order);
+    solver_.factorise(builder_.program());
+    laid_out_ = true;
+  }
   solver_.solve(builder_.program(), x_, forces_);
 }
 

@@ -55,7 +55,7 @@ class ClosedContacts {
   RubbingContacts rubbing_;
   Island island_;
   std::vector<char> resting_;
-  std::vector<SideUse> use_;
+  bool laid_out_ = false;  ///< the builder has a program over `island_`
   std::vector<Box> boxes_;
   std::vector<double> x_;
   std::vector<double> forces_;

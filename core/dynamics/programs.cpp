@@ -1,5 +1,7 @@
 #include "core/dynamics/programs.h"
 
+#include <algorithm>
+
 #include "core/constraints/rod.h"
 #include "core/model/points.h"
 
@@ -22,61 +24,128 @@ std::int64_t name_of(const Contact& c) {
 
 }  // namespace
 
-void ProgramBuilder::begin(const State& state,
-                           const Island& island,
-                           Order order,
-                           std::span<const Twist> targets) {
-  const bool points = formulation_ == Formulation::points;
-  program_.clear(points ? 2 : 3);
+void ProgramBuilder::number_cubes(const Island& island) {
   local_.resize(system_->cubes, -1);
   int next = 0;
-  for (const int cube : island.cubes) {
+  for (const int cube : island.cubes)
     local_[cube] = next++;
-    const Body& body = system_->body(cube);
-    const BodyState& s = state[cube];
-    const Twist goal = targets.empty() ? Twist{} : targets[next - 1];
-    if (!points) {
-      const std::array<double, 3> mass = {body.mass, body.mass, body.inertia};
-      std::array<double, 3> target = {goal.linear.x(), goal.linear.y(), goal.angular};
-      if (order == Order::velocity) target = {s.velocity.x(), s.velocity.y(), s.spin};
-      if (order == Order::acceleration) target = {system_->gravity.x(), system_->gravity.y(), 0.0};
-      program_.add_block(mass, target);
-      continue;
-    }
-    const CubePoints p = points_of(s, body.size);
-    const auto masses = mass_distribution(body.size, body.mass);
-    for (std::size_t k = 0; k < masses.size(); ++k) {
-      Vec2 target = goal.linear + goal.angular * perp(p.p[k] - s.position);
-      if (order == Order::velocity) target = p.v[k];
-      if (order == Order::acceleration) target = system_->gravity;
-      program_.add_block(std::array{masses[k].mass, masses[k].mass},
-                         std::array{target.x(), target.y()});
-    }
-  }
-  if (points) {
-    for (const int cube : island.cubes) {
-      add_rods(state, cube, points_per_cube * local_[cube], order);
-    }
-  }
-  first_contact_row_ = program_.rows();
 }
 
-void ProgramBuilder::add_rods(const State& state, int cube, int first_block, Order order) {
-  const CubePoints points = points_of(state[cube], system_->body(cube).size);
-  for (const RodEnds& rod : cube_rods) {
-    const auto i = rod.i;
-    const auto j = rod.j;
-    const double l_ij = (points.p[i] - points.p[j]).norm();
-    // The cube is rigid here, so that displacements keep lengths to first order as velocities do.
-    RodRow row = rod_velocity_row(points.p[i], points.p[j]);
-    if (order == Order::acceleration) {
-      row = rod_acceleration_row(points.p[i], points.p[j], points.v[i], points.v[j]);
+void ProgramBuilder::build(const State& state,
+                           const Island& island,
+                           std::span<const SideUse> use,
+                           Order order,
+                           std::span<const Twist> targets) {
+  number_cubes(island);
+  if (formulation_ == Formulation::rigid) {
+    lay_out(island, use);
+    fill(state, island, use, order, targets);
+    return;
+  }
+  program_.clear(2);
+  for (std::size_t k = 0; k < island.cubes.size(); ++k)
+    add_points(state, island.cubes[k], order, targets.empty() ? Twist{} : targets[k]);
+  for (const int cube : island.cubes)
+    add_rods(state, cube, order);
+  first_contact_row_ = program_.rows();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k)
+    if (use[k] != SideUse::none) add_side(state, island.contacts[k], use[k], order);
+}
+
+/// Masses, and which row couples which cubes.
+void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use) {
+  program_.clear(3);
+  first_contact_row_ = 0;
+  for (const int cube : island.cubes) {
+    const Body& body = system_->body(cube);
+    program_.mass.insert(program_.mass.end(), {body.mass, body.mass, body.inertia});
+  }
+  program_.target.resize(program_.mass.size());
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (use[k] == SideUse::none) continue;
+    const Contact& c = island.contacts[k];
+    program_.add_row(0.0, use[k] == SideUse::equality ? -unbounded : 0.0, unbounded);
+    program_.row_name.push_back(name_of(c));
+    for (const int body : {c.on, c.from}) {
+      if (!system_->is_cube(body)) continue;
+      program_.entry_block.push_back(local_[body]);
+      ++program_.row_start.back();
     }
+  }
+  program_.coefficients.resize(3 * program_.entry_block.size());
+}
+
+void ProgramBuilder::fill(const State& state,
+                          const Island& island,
+                          std::span<const SideUse> use,
+                          Order order,
+                          std::span<const Twist> targets) {
+  double* f = program_.target.data();
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    const BodyState& s = state[island.cubes[k]];
+    Twist target = targets.empty() ? Twist{} : targets[k];
+    if (order == Order::velocity) target = {s.velocity, s.spin};
+    if (order == Order::acceleration) target = {system_->gravity, 0.0};
+    *f++ = target.linear.x();
+    *f++ = target.linear.y();
+    *f++ = target.angular;
+  }
+  double* b = program_.bound.data();
+  double* g = program_.coefficients.data();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (!use.empty() && use[k] == SideUse::none) continue;
+    const Contact& c = island.contacts[k];
+    const ContactRow row =
+        pull_back(*system_, state, c, order, normal_row(*system_, state, c, order));
+    *b++ = -row.c;
+    if (system_->is_cube(c.on)) g = std::copy(row.on.begin(), row.on.end(), g);
+    if (system_->is_cube(c.from)) g = std::copy(row.from.begin(), row.from.end(), g);
+  }
+}
+
+void ProgramBuilder::renew(const State& state, const Island& island, Order order) {
+  fill(state, island, {}, order, {});
+}
+
+void ProgramBuilder::add_points(const State& state, int cube, Order order, const Twist& goal) {
+  const Body& body = system_->body(cube);
+  const BodyState& s = state[cube];
+  const CubePoints p = points_of(s, body.size);
+  const auto masses = mass_distribution(body.size, body.mass);
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    Vec2 target = goal.linear + goal.angular * perp(p.p[k] - s.position);
+    if (order == Order::velocity) target = p.v[k];
+    if (order == Order::acceleration) target = system_->gravity;
+    program_.add_block(std::array{masses[k].mass, masses[k].mass},
+                       std::array{target.x(), target.y()});
+  }
+}
+
+void ProgramBuilder::add_rods(const State& state, int cube, Order order) {
+  const CubePoints points = points_of(state[cube], system_->body(cube).size);
+  const int first_block = points_per_cube * local_[cube];
+  for (const RodEnds& rod : cube_rods) {
+    const Vec2& p_i = points.p[rod.i];
+    const Vec2& p_j = points.p[rod.j];
+    const double l_ij = (p_i - p_j).norm();
+    // The cube is rigid here, so that displacements keep lengths to first order as velocities do.
+    RodRow row = rod_velocity_row(p_i, p_j);
+    if (order == Order::acceleration)
+      row = rod_acceleration_row(p_i, p_j, points.v[rod.i], points.v[rod.j]);
     const Vec2 g = row.g / l_ij;
     program_.add_equality(-row.c / l_ij);
     program_.add_entry(first_block + rod.i, std::array{g.x(), g.y()});
     program_.add_entry(first_block + rod.j, std::array{-g.x(), -g.y()});
   }
+}
+
+void ProgramBuilder::add_side(const State& state,
+                              const Contact& contact,
+                              SideUse use,
+                              Order order) {
+  const SideRow row = normal_row(*system_, state, contact, order);
+  program_.add_row(-row.c, use == SideUse::equality ? -unbounded : 0.0, unbounded);
+  add_point_entries(contact, row);
 }
 
 void ProgramBuilder::add_point_entries(const Contact& contact, const SideRow& row) {
@@ -89,33 +158,6 @@ void ProgramBuilder::add_point_entries(const Contact& contact, const SideRow& ro
     add(contact.from, next_corner(contact.side), row.g_i);
     add(contact.from, contact.side, row.g_j);
   }
-}
-
-void ProgramBuilder::add_rigid_entries(const Contact& contact, const ContactRow& row) {
-  if (system_->is_cube(contact.on)) program_.add_entry(local_[contact.on], row.on);
-  if (system_->is_cube(contact.from)) program_.add_entry(local_[contact.from], row.from);
-}
-
-void ProgramBuilder::add_side(const State& state,
-                              const Contact& contact,
-                              SideUse use,
-                              Order order) {
-  const int index =
-      use == SideUse::equality ? program_.add_equality(0.0) : program_.add_inequality(0.0);
-  add_entries(state, contact, order, normal_row(*system_, state, contact, order), index);
-}
-
-void ProgramBuilder::add_entries(
-    const State& state, const Contact& contact, Order order, const SideRow& row, int index) {
-  if (formulation_ == Formulation::points) {
-    program_.bound[index] = -row.c;
-    add_point_entries(contact, row);
-    return;
-  }
-  program_.row_name.push_back(name_of(contact));
-  const ContactRow rigid = pull_back(*system_, state, contact, order, row);
-  program_.bound[index] = -rigid.c;
-  add_rigid_entries(contact, rigid);
 }
 
 void ProgramBuilder::add_friction(const State& state,
@@ -131,44 +173,41 @@ void ProgramBuilder::add_friction(const State& state,
     const Contact& c = island.contacts[k];
     FrictionContact rub{normal++, -1, system_->surface(c.on, c.from).friction,
                         slides.empty() ? 0 : slides[k]};
-    if (rub.mu > 0.0) {
-      rub.tangent = program_.add_row(0.0, -unbounded, unbounded);
-      add_entries(state, c, order, tangential_row(*system_, state, c, order), rub.tangent);
-    }
     friction_contact_[k] = static_cast<int>(friction_.size());
+    if (rub.mu > 0.0) {
+      const SideRow row = tangential_row(*system_, state, c, order);
+      if (formulation_ == Formulation::points) {
+        rub.tangent = program_.add_row(-row.c, -unbounded, unbounded);
+        add_point_entries(c, row);
+      } else {
+        const ContactRow rigid = pull_back(*system_, state, c, order, row);
+        rub.tangent = program_.add_row(-rigid.c, -unbounded, unbounded);
+        program_.row_name.push_back(-1 - name_of(c));
+        if (system_->is_cube(c.on)) program_.add_entry(local_[c.on], rigid.on);
+        if (system_->is_cube(c.from)) program_.add_entry(local_[c.from], rigid.from);
+      }
+    }
     friction_.push_back(rub);
-  }
-}
-
-void ProgramBuilder::add_sides(const State& state,
-                               const Island& island,
-                               std::span<const SideUse> use,
-                               Order order) {
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use[k] != SideUse::none) add_side(state, island.contacts[k], use[k], order);
   }
 }
 
 void ProgramBuilder::acceleration(const State& state,
                                   const Island& island,
                                   std::span<const SideUse> use) {
-  begin(state, island, Order::acceleration);
-  add_sides(state, island, use, Order::acceleration);
+  build(state, island, use, Order::acceleration, {});
 }
 
 void ProgramBuilder::velocity(const State& state,
                               const Island& island,
                               std::span<const SideUse> use) {
-  begin(state, island, Order::velocity);
-  add_sides(state, island, use, Order::velocity);
+  build(state, island, use, Order::velocity, {});
 }
 
 void ProgramBuilder::position(const State& state,
                               const Island& island,
                               std::span<const SideUse> use,
                               std::span<const Twist> targets) {
-  begin(state, island, Order::position, targets);
-  add_sides(state, island, use, Order::position);
+  build(state, island, use, Order::position, targets);
 }
 
 std::vector<Twist> ProgramBuilder::twists(const State& state,

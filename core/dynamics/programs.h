@@ -50,6 +50,10 @@ class ProgramBuilder {
                 std::span<const SideUse> use,
                 std::span<const Twist> targets = {});
 
+  /// The program built last, at another state and of any order, in the rigid form: the same island with
+  /// all of its contacts used as before. Nothing but numbers changes.
+  void renew(const State& state, const Island& island, Order order);
+
   /// Adds, after all other rows, the tangential row of every contact that is used and rubs
   /// (System::surface), of the order of the program built last. `slides` has the known direction of
   /// slip per contact of the island (+1, -1, or 0: free to stick or to slip); empty: all free.
@@ -72,20 +76,24 @@ class ProgramBuilder {
                                           const std::vector<double>& x) const;
 
  private:
-  void begin(const State& state,
+  void build(const State& state,
              const Island& island,
+             std::span<const SideUse> use,
              Order order,
-             std::span<const Twist> targets = {});
-  void add_rods(const State& state, int cube, int first_block, Order order);
-  void add_sides(const State& state,
-                 const Island& island,
-                 std::span<const SideUse> use,
-                 Order order);
+             std::span<const Twist> targets);
+  void number_cubes(const Island& island);
+  // The rigid form: what stays the same, and the numbers.
+  void lay_out(const Island& island, std::span<const SideUse> use);
+  void fill(const State& state,
+            const Island& island,
+            std::span<const SideUse> use,
+            Order order,
+            std::span<const Twist> targets);
+  // All points.
+  void add_points(const State& state, int cube, Order order, const Twist& goal);
+  void add_rods(const State& state, int cube, Order order);
   void add_side(const State& state, const Contact& contact, SideUse use, Order order);
-  void add_entries(
-      const State& state, const Contact& contact, Order order, const SideRow& row, int index);
   void add_point_entries(const Contact& contact, const SideRow& row);
-  void add_rigid_entries(const Contact& contact, const ContactRow& row);
 
   const System* system_;
   Formulation formulation_;

@@ -1,6 +1,7 @@
 #include "core/qp/automatic.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wuerfel {
 namespace {
@@ -29,6 +30,15 @@ constexpr int most_refined_rows = 400;
 
 /// Rows are loaded with more than this share of the largest force.
 constexpr double loaded_share = 1e-9;
+
+/// Bodies that are left at rest: whoever looks takes these for exact zeros.
+bool is_zero(const std::vector<double>& x, const QuadraticProgram& program) {
+  constexpr double nothing = 5e-11;  // of the largest target
+  double target = 0.0;
+  for (const double f : program.target)
+    target = std::max(target, std::abs(f));
+  return std::ranges::all_of(x, [&](double v) { return std::abs(v) <= nothing * target; });
+}
 
 }  // namespace
 
@@ -122,7 +132,7 @@ void AutomaticSolver::improve(const QuadraticProgram& program, QpResult& result)
     finish_off(program, finished_share * reached, result);
   }
   if (!methods_.settings().by_block || result.status != QpStatus::optimal
-      || program.rows() > most_refined_rows)
+      || program.rows() > most_refined_rows || is_zero(result.x, program))
     return;
   remember_loads(program, result);
   mark_loaded(program);

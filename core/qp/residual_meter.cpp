@@ -110,8 +110,16 @@ double ResidualMeter::unbalanced_force(const QuadraticProgram& p,
   for (std::size_t j = 0; j < x.size(); ++j)
     force_[j] = p.mass[j] * (x[j] - p.target[j]);
   for (int row = 0; row < p.rows(); ++row) {
-    slack_[row] = p.row_value(row, x) - p.bound[row];
-    p.add_row_force(row, -multiplier[row], force_);
+    // Both at once: this is the time that a certificate takes.
+    double slack = -p.bound[row];
+    const double lambda = multiplier[row];
+    p.for_each_entry(row, [&](const double* J, int first, int size) {
+      for (int c = 0; c < size; ++c) {
+        slack += J[c] * x[first + c];
+        force_[first + c] -= J[c] * lambda;
+      }
+    });
+    slack_[row] = slack;
   }
   double worst = 0.0;
   for (std::size_t j = 0; j < x.size(); ++j)

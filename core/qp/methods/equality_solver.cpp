@@ -32,10 +32,11 @@ double dot(const double* a, const double* b, int n) {
 }
 
 /// x += M^-1 row' * factor.
-void add_push(const QuadraticProgram& p, int row, double factor, std::vector<double>& x) {
+void add_push(const QuadraticProgram& p, int row, double factor, double* x) {
+  const double* mass = p.mass.data();
   p.for_each_entry(row, [&](const double* J, int first, int size) {
     for (int c = 0; c < size; ++c)
-      x[first + c] += J[c] * factor / p.mass[first + c];
+      x[first + c] += J[c] * factor / mass[first + c];
   });
 }
 
@@ -100,6 +101,10 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
       rows_of_block[entry_block_[e]].push_back(i);
   }
   find_order(rows_of_block);
+  struct Couple {
+    int i = 0, j = 0, entry_i = 0, entry_j = 0;
+  };
+  std::vector<Couple> couples;
   std::vector<std::vector<std::pair<int, int>>> places_of_block(rows_of_block.size());
   first_.assign(row_.size(), 0);
   start_.assign(row_.size(), 0);
@@ -110,7 +115,7 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
       auto& others = places_of_block[entry_block_[e]];
       others.emplace_back(i, e);
       for (const auto& [j, f] : others) {
-        couplings_.push_back({i, j, e, f});
+        couples.push_back({i, j, e, f});
         first = std::min(first, j);
       }
     }
@@ -118,6 +123,8 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
     start_[i] = size - first;
     size += i - first + 1;
   }
+  for (const Couple& c : couples)
+    couplings_.push_back({place(c.i, c.j), entry_block_[c.entry_i], c.entry_i, c.entry_j});
   factor_.resize(size);
   inverse_.resize(row_.size());
 }
@@ -125,14 +132,25 @@ void EqualitySolver::find_envelope(const QuadraticProgram& p) {
 /// J M^-1 J' over the tight rows, in the order of elimination.
 void EqualitySolver::assemble(const QuadraticProgram& p) {
   std::ranges::fill(factor_, 0.0);
-  for (const Coupling& c : couplings_) {
-    const double* g = p.coefficients.data() + c.entry_i * p.block_size;
-    const double* h = p.coefficients.data() + c.entry_j * p.block_size;
-    const double* m = p.mass.data() + entry_block_[c.entry_i] * p.block_size;
-    double sum = 0.0;
-    for (int k = 0; k < p.block_size; ++k)
-      sum += g[k] * h[k] / m[k];
-    at(c.i, c.j) += sum;
+  const auto add_products = [&](int size) {
+    const double* J = p.coefficients.data();
+    const double* mass = p.mass.data();
+    double* factor = factor_.data();
+    for (const Coupling& c : couplings_) {
+      const double* g = J + c.entry_i * size;
+      const double* h = J + c.entry_j * size;
+      const double* m = mass + c.block * size;
+      double sum = 0.0;
+      for (int k = 0; k < size; ++k)
+        sum += g[k] * h[k] / m[k];
+      factor[c.place] += sum;
+    }
+  };
+  constexpr int usual_size = 3;  // known to the compiler it is faster
+  if (p.block_size == usual_size) {
+    add_products(usual_size);
+  } else {
+    add_products(p.block_size);
   }
 }
 
@@ -147,6 +165,10 @@ void EqualitySolver::factorise(const QuadraticProgram& p, const std::vector<char
       if (tight == nullptr || (*tight)[row] != 0) row_.push_back(row);
     find_envelope(p);
   }
+  factorise_again(p);
+}
+
+void EqualitySolver::factorise_again(const QuadraticProgram& p) {
   assemble(p);
   dependent_ = 0;
   for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
@@ -194,30 +216,44 @@ void EqualitySolver::solve(const QuadraticProgram& p,
   refine(p, x, multiplier);
 }
 
+/// What the rows miss at x, in `residual_`; the largest of it on rows that are kept. `scale` grows to
+/// the largest bound and J x.
+double EqualitySolver::find_residual(const QuadraticProgram& p,
+                                     const std::vector<double>& x,
+                                     double& scale) {
+  double worst = 0.0;
+  double* rest = residual_.data();
+  const double* inverse = inverse_.data();
+  for (const int row : order_) {
+    const double b = p.bound[row];
+    const double reached = p.row_value(row, x);
+    scale = std::max(scale, std::max(std::abs(b), std::abs(reached)));
+    *rest = b - reached;
+    if (*inverse++ != 0.0) worst = std::max(worst, std::abs(*rest));
+    ++rest;
+  }
+  return worst;
+}
+
 void EqualitySolver::refine(const QuadraticProgram& p,
                             std::vector<double>& x,
                             std::vector<double>& multiplier) {
   x = p.target;
   for (const int row : order_)
-    if (multiplier[row] != 0.0) add_push(p, row, multiplier[row], x);
-  residual_.resize(row_.size());
+    if (multiplier[row] != 0.0) add_push(p, row, multiplier[row], x.data());
+  residual_.resize(order_.size());
   double scale = 0.0;
-  for (int round = 0; round <= most_refinements; ++round) {
-    double worst = 0.0;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      const double b = p.bound[order_[i]];
-      const double reached = p.row_value(order_[i], x);
-      residual_[i] = b - reached;
-      if (round == 0) scale = std::max({scale, std::abs(b), std::abs(reached)});
-      if (inverse_[i] != 0.0) worst = std::max(worst, std::abs(b - reached));
-    }
-    if (worst <= refined_share * scale) return;
+  double worst = find_residual(p, x, scale);
+  for (int round = 0; round <= most_refinements && worst > refined_share * scale; ++round) {
     substitute(residual_);
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      if (residual_[i] == 0.0) continue;
-      multiplier[order_[i]] += residual_[i];
-      add_push(p, order_[i], residual_[i], x);
+      const double change = residual_[i];
+      if (change == 0.0) continue;
+      multiplier[order_[i]] += change;
+      add_push(p, order_[i], change, x.data());
     }
+    double same_scale = scale;
+    worst = find_residual(p, x, same_scale);
   }
 }
 

@@ -21,6 +21,9 @@ class EqualitySolver {
   /// positive.
   void factorise(const QuadraticProgram& program, const std::vector<char>* tight = nullptr);
 
+  /// The same rows with other numbers.
+  void factorise_again(const QuadraticProgram& program);
+
   /// `x` (n) and `multiplier` (m, zero on rows that are not tight) for the bounds and targets of
   /// `program`, whose coefficients are those of the last `factorise`. Refined until J x = b to
   /// rounding.
@@ -37,10 +40,10 @@ class EqualitySolver {
   [[nodiscard]] int dependent_rows() const { return dependent_; }
 
  private:
-  /// Two entries on one block, of the rows at places i >= j of the order.
+  /// Two entries on one block, and where their product goes in the factor.
   struct Coupling {
-    int i = 0;
-    int j = 0;
+    std::ptrdiff_t place = 0;
+    int block = 0;
     int entry_i = 0;
     int entry_j = 0;
   };
@@ -48,9 +51,11 @@ class EqualitySolver {
   void find_order(const std::vector<std::vector<int>>& rows_of_block);
   void find_envelope(const QuadraticProgram& program);
   void assemble(const QuadraticProgram& program);
+  [[nodiscard]] double find_residual(const QuadraticProgram& program,
+                                     const std::vector<double>& x,
+                                     double& scale);
   void substitute(std::vector<double>& r) const;
   [[nodiscard]] std::ptrdiff_t place(int i, int j) const { return start_[i] + j; }
-  [[nodiscard]] double& at(int i, int j) { return factor_[place(i, j)]; }
   [[nodiscard]] double at(int i, int j) const { return factor_[place(i, j)]; }
 
   std::vector<int> row_start_;  ///< of the program that the envelope belongs to

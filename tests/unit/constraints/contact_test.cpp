@@ -196,7 +196,10 @@ TEST(SeparatingSide, IsTheOneWhoseGapClosesLast) {
   const auto side = [&](const Vec2& from, const Vec2& to) {
     const std::vector<Box> start = {still, make_box(from, 0.0, {1.0, 1.0})};
     const std::vector<Box> end = {still, make_box(to, 0.0, {1.0, 1.0})};
-    const FacingSide found = separating_side(start, end, 0, 1);
+    System system;
+    system.bodies.resize(2);
+    system.cubes = 2;
+    const FacingSide found = separating_side(system, {start, end, end}, 0.0, 0, 1);
     const Box& box = (found.from == 0 ? start : end)[static_cast<std::size_t>(found.from)];
     return Vec2(found.from == 0 ? box.normal(found.side) : Vec2(-box.normal(found.side)));
   };
