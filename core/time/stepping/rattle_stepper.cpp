@@ -428,7 +428,8 @@ void RattleStepper::book_blows(Step& step, StepRecord& record, double t) const {
   for (std::size_t k = 0; k < balances.size(); ++k) {
     std::vector<StepLoss>& losses = record.components[k].losses;
     balance(balances[k], losses);
-    if (balances[k].friction > 0.0) losses.push_back({1.0, balances[k].friction, true});
+    if (system_->rubs && balances[k].friction > 0.0)
+      losses.push_back({1.0, balances[k].friction, true});
   }
   std::stable_sort(step.book.events.begin(), step.book.events.end(),
                    [](const Event& a, const Event& b) { return a.t < b.t; });
