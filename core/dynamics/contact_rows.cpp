@@ -12,12 +12,12 @@ SideRow scaled(const SideRow& row, double scale) {
 }  // namespace
 
 SideRow normal_row(const System& system, const State& state, const Contact& c, Order order) {
-  SideRow row = side_velocity_row(c.arm_i, c.arm_j, c.alpha);
+  const double scale = 1.0 / c.length;
   if (order == Order::acceleration) {
     const ContactVelocity v = contact_velocity(system, state, c);
-    row = side_acceleration_row(c.arm_i, c.arm_j, c.alpha, v.v_i, v.v_j, v.v_k);
+    return scaled(side_acceleration_row(c.arm_i, c.arm_j, c.alpha, v.v_i, v.v_j, v.v_k), scale);
   }
-  row = scaled(row, 1.0 / c.length);
+  SideRow row = scaled(side_velocity_row(c.arm_i, c.arm_j, c.alpha), scale);
   if (order == Order::position) row.c = c.gap;
   return row;
 }

@@ -13,6 +13,8 @@ constexpr double dependent_share = 1e-11;
 constexpr double refined_share = 4e-16;
 constexpr int most_refinements = 3;
 
+constexpr int few_rows = 8;
+
 /// Sum in four parts, which go on side by side.
 double dot(const double* a, const double* b, int n) {
   double s0 = 0.0;
@@ -93,45 +95,67 @@ bool EqualitySolver::fits(const QuadraticProgram& p, const std::vector<char>* ti
   return same_tight && row_start_ == p.row_start && entry_block_ == p.entry_block;
 }
 
-void EqualitySolver::find_envelope(const QuadraticProgram& p) {
+/// The whole lower triangle, for few rows: there is nothing to be saved by an order.
+void EqualitySolver::fill_triangle() {
+  const int rows = static_cast<int>(row_.size());
+  order_ = row_;
   couplings_.clear();
-  std::vector<std::vector<int>> rows_of_block(p.blocks());
-  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
+  first_.assign(rows, 0);
+  start_.resize(rows);
+  for (int i = 0; i < rows; ++i) {
+    start_[i] = i * (i + 1) / 2;
+    for (int j = 0; j <= i; ++j) {
+      for (int e = row_start_[row_[i]]; e < row_start_[row_[i] + 1]; ++e) {
+        for (int f = row_start_[row_[j]]; f < row_start_[row_[j] + 1]; ++f)
+          if (entry_block_[e] == entry_block_[f])
+            couplings_.push_back({place(i, j), entry_block_[e], e, f});
+      }
+    }
+  }
+  factor_.resize(rows * (rows + 1) / 2);
+  inverse_.resize(rows);
+}
+
+void EqualitySolver::find_envelope() {
+  const int rows = static_cast<int>(row_.size());
+  std::vector<std::vector<int>> rows_of_block(
+      entry_block_.empty() ? 0 : std::ranges::max(entry_block_) + 1);
+  for (int i = 0; i < rows; ++i) {
     for (int e = row_start_[row_[i]]; e < row_start_[row_[i] + 1]; ++e)
       rows_of_block[entry_block_[e]].push_back(i);
   }
   find_order(rows_of_block);
-  struct Couple {
-    int i = 0, j = 0, entry_i = 0, entry_j = 0;
+  /// An entry on a block, of the row at place i of the order.
+  struct Entry {
+    int i, entry;
   };
-  std::vector<Couple> couples;
-  std::vector<std::vector<std::pair<int, int>>> places_of_block(rows_of_block.size());
-  first_.assign(row_.size(), 0);
-  start_.assign(row_.size(), 0);
+  std::vector<std::vector<Entry>> entries_of_block(rows_of_block.size());
+  couplings_.clear();
+  first_.resize(rows);
+  start_.resize(rows);
   std::ptrdiff_t size = 0;
-  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
-    int first = i;
+  for (int i = 0; i < rows; ++i) {
+    first_[i] = i;
     for (int e = row_start_[order_[i]]; e < row_start_[order_[i] + 1]; ++e) {
-      auto& others = places_of_block[entry_block_[e]];
-      others.emplace_back(i, e);
-      for (const auto& [j, f] : others) {
-        couples.push_back({i, j, e, f});
-        first = std::min(first, j);
-      }
+      auto& others = entries_of_block[entry_block_[e]];
+      others.push_back({i, e});
+      first_[i] = std::min(first_[i], others.front().i);
     }
-    first_[i] = first;
-    start_[i] = size - first;
-    size += i - first + 1;
+    start_[i] = size - first_[i];
+    size += i - first_[i] + 1;
+    for (int e = row_start_[order_[i]]; e < row_start_[order_[i] + 1]; ++e) {
+      for (const Entry& other : entries_of_block[entry_block_[e]])
+        couplings_.push_back({place(i, other.i), entry_block_[e], e, other.entry});
+    }
   }
-  for (const Couple& c : couples)
-    couplings_.push_back({place(c.i, c.j), entry_block_[c.entry_i], c.entry_i, c.entry_j});
   factor_.resize(size);
-  inverse_.resize(row_.size());
+  inverse_.resize(rows);
 }
 
 /// J M^-1 J' over the tight rows, in the order of elimination.
 void EqualitySolver::assemble(const QuadraticProgram& p) {
-  std::ranges::fill(factor_, 0.0);
+  for (double& f : factor_)
+    f = 0.0;
   const auto add_products = [&](int size) {
     const double* J = p.coefficients.data();
     const double* mass = p.mass.data();
@@ -163,7 +187,11 @@ void EqualitySolver::factorise(const QuadraticProgram& p, const std::vector<char
     row_.clear();
     for (int row = 0; row < p.rows(); ++row)
       if (tight == nullptr || (*tight)[row] != 0) row_.push_back(row);
-    find_envelope(p);
+    if (std::ssize(row_) <= few_rows) {
+      fill_triangle();
+    } else {
+      find_envelope();
+    }
   }
   factorise_again(p);
 }
@@ -209,30 +237,29 @@ void EqualitySolver::substitute(std::vector<double>& r) const {
   }
 }
 
-void EqualitySolver::solve(const QuadraticProgram& p,
-                           std::vector<double>& x,
-                           std::vector<double>& multiplier) {
-  multiplier.assign(p.rows(), 0.0);
-  refine(p, x, multiplier);
-}
-
-/// What the rows miss at x, in `residual_`; the largest of it on rows that are kept. `scale` grows to
-/// the largest bound and J x.
-double EqualitySolver::find_residual(const QuadraticProgram& p,
-                                     const std::vector<double>& x,
-                                     double& scale) {
-  double worst = 0.0;
+/// What the rows miss at x, into `residual_`.
+EqualitySolver::Missed EqualitySolver::find_residual(const QuadraticProgram& p,
+                                                     const std::vector<double>& x) {
+  Missed missed;
   double* rest = residual_.data();
   const double* inverse = inverse_.data();
   for (const int row : order_) {
     const double b = p.bound[row];
     const double reached = p.row_value(row, x);
-    scale = std::max(scale, std::max(std::abs(b), std::abs(reached)));
+    missed.scale = std::max(missed.scale, std::max(std::abs(b), std::abs(reached)));
     *rest = b - reached;
-    if (*inverse++ != 0.0) worst = std::max(worst, std::abs(*rest));
+    if (*inverse++ != 0.0) missed.worst = std::max(missed.worst, std::abs(*rest));
     ++rest;
   }
-  return worst;
+  return missed;
+}
+
+void EqualitySolver::solve(const QuadraticProgram& p,
+                           std::vector<double>& x,
+                           std::vector<double>& multiplier) {
+  x = p.target;
+  multiplier.assign(p.rows(), 0.0);
+  move_onto_rows(p, x, multiplier);
 }
 
 void EqualitySolver::refine(const QuadraticProgram& p,
@@ -241,10 +268,19 @@ void EqualitySolver::refine(const QuadraticProgram& p,
   x = p.target;
   for (const int row : order_)
     if (multiplier[row] != 0.0) add_push(p, row, multiplier[row], x.data());
+  move_onto_rows(p, x, multiplier);
+}
+
+/// Moves x = f + M^-1 J' lambda onto the rows, and lambda along.
+void EqualitySolver::move_onto_rows(const QuadraticProgram& p,
+                                    std::vector<double>& x,
+                                    std::vector<double>& multiplier) {
   residual_.resize(order_.size());
   double scale = 0.0;
-  double worst = find_residual(p, x, scale);
-  for (int round = 0; round <= most_refinements && worst > refined_share * scale; ++round) {
+  for (int round = 0; round <= most_refinements; ++round) {
+    const Missed missed = find_residual(p, x);
+    if (round == 0) scale = missed.scale;
+    if (missed.worst <= refined_share * scale) return;
     substitute(residual_);
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const double change = residual_[i];
@@ -252,8 +288,6 @@ void EqualitySolver::refine(const QuadraticProgram& p,
       multiplier[order_[i]] += change;
       add_push(p, order_[i], change, x.data());
     }
-    double same_scale = scale;
-    worst = find_residual(p, x, same_scale);
   }
 }
 

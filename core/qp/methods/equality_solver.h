@@ -49,11 +49,17 @@ class EqualitySolver {
   };
   [[nodiscard]] bool fits(const QuadraticProgram& program, const std::vector<char>* tight) const;
   void find_order(const std::vector<std::vector<int>>& rows_of_block);
-  void find_envelope(const QuadraticProgram& program);
+  void fill_triangle();
+  void find_envelope();
   void assemble(const QuadraticProgram& program);
-  [[nodiscard]] double find_residual(const QuadraticProgram& program,
-                                     const std::vector<double>& x,
-                                     double& scale);
+  struct Missed {
+    double worst = 0.0;  ///< of the rows that are kept
+    double scale = 0.0;  ///< the largest bound or J x
+  };
+  Missed find_residual(const QuadraticProgram& program, const std::vector<double>& x);
+  void move_onto_rows(const QuadraticProgram& program,
+                      std::vector<double>& x,
+                      std::vector<double>& multiplier);
   void substitute(std::vector<double>& r) const;
   [[nodiscard]] std::ptrdiff_t place(int i, int j) const { return start_[i] + j; }
   [[nodiscard]] double at(int i, int j) const { return factor_[place(i, j)]; }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/dynamics/contact_rows.h"
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
 
@@ -65,11 +66,6 @@ double slip_of(const System& system, const Contact& start, const Contact& end) {
   if (system.body(start.from).kind == BodyKind::plane)
     return perp(start.normal).dot(end.point - start.point);
   return (start.alpha - end.alpha) * start.length;
-}
-
-/// The same to first order: of a displacement, or a velocity.
-double slip_rate(const Contact& c, const ContactVelocity& v) {
-  return perp(c.normal).dot(v.v_k - c.alpha * v.v_j - (1.0 - c.alpha) * v.v_i);
 }
 
 double sum_of(const std::vector<StepLoss>& losses) {
@@ -249,7 +245,7 @@ void RattleStepper::bend(const Island& island,
     const Contact now = at_poses(*system_, boxes, c);
     const ContactVelocity way = contact_velocity(*system_, moved, c);
     const double gap = now.gap - (c.gap + gap_rate(c, way));
-    const double slip = rubbing ? slip_of(*system_, c, now) - slip_rate(c, way) : 0.0;
+    const double slip = rubbing ? slip_of(*system_, c, now) - slip_rate(*system_, moved, c) : 0.0;
     missed = missed
              || (std::max(std::abs(gap), std::abs(slip)) > bent_share * contact_scale(*system_, c)
                  && (straight.forces[k] > 0.0 || now.gap < 0.0));
