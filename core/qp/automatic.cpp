@@ -134,9 +134,7 @@ void AutomaticSolver::improve(const QuadraticProgram& program, QpResult& result)
   if (!methods_.settings().by_block || result.status != QpStatus::optimal
       || program.rows() > most_refined_rows || is_zero(result.x, program))
     return;
-  remember_loads(program, result);
-  mark_loaded(program);
-  active_set_.refine(program, tight_, result);
+  active_set_.refine(program, result);
 }
 
 void AutomaticSolver::finish_off(const QuadraticProgram& program,

@@ -177,6 +177,14 @@ double ResidualMeter::imbalance(const QuadraticProgram& p,
   return worst;
 }
 
+double ResidualMeter::row_scale(const QuadraticProgram& program, int row) const {
+  double scale = unbounded;
+  program.for_each_entry(row, [&](const double* /*J*/, int first, int size) {
+    scale = std::min(scale, scale_[first / size]);
+  });
+  return scale;
+}
+
 QpResidual optimality_residual(const QuadraticProgram& program,
                                const std::vector<double>& x,
                                const std::vector<double>& multiplier) {

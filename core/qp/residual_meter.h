@@ -41,6 +41,8 @@ class ResidualMeter {
   double imbalance(const QuadraticProgram& program,
                    const std::vector<double>& x,
                    const std::vector<double>& multiplier);
+  /// The smaller of the largest forces on the blocks of a row, as the last `imbalance` found them.
+  [[nodiscard]] double row_scale(const QuadraticProgram& program, int row) const;
 
  private:
   void find_units(const QuadraticProgram& program);

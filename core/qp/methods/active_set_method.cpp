@@ -10,7 +10,8 @@ constexpr int most_rounds = 8;
 /// Shares of the largest force and of the largest bound below which signs are rounding.
 constexpr double force_noise = 1e-13;
 constexpr double slack_noise = 1e-13;
-constexpr double exact = 1e-13;  ///< an error that is not worth refining
+constexpr double loaded_share = 1e-9;  ///< of the largest force on a body
+constexpr double exact = 1e-13;        ///< an error that is not worth refining
 
 }  // namespace
 
@@ -65,19 +66,22 @@ bool ActiveSetMethod::solve(const QuadraticProgram& program,
   return false;
 }
 
-void ActiveSetMethod::refine(const QuadraticProgram& program,
-                             const std::vector<char>& tight,
-                             QpResult& result) {
-  meter_.measure_scales(program);
+void ActiveSetMethod::refine(const QuadraticProgram& program, QpResult& result) {
+  const ResidualScales& scales = meter_.measure_scales(program);
   const auto error = [&](const QpResult& r) {
     return std::max(r.residual.worst(), meter_.imbalance(program, r.x, r.multiplier));
   };
   const double before = error(result);
   if (before <= exact) return;
   refined_ = result;
-  for (int row = 0; row < program.rows(); ++row)
-    if (tight[row] == 0) refined_.multiplier[row] = 0.0;
-  solver_.factorise(program, &tight);
+  loaded_.assign(program.rows(), 1);
+  for (int row = 0; row < program.rows(); ++row) {
+    const double force = std::abs(result.multiplier[row]) * scales.row_norm[row];
+    if (program.is_equality(row) || force > loaded_share * meter_.row_scale(program, row)) continue;
+    loaded_[row] = 0;
+    refined_.multiplier[row] = 0.0;
+  }
+  solver_.factorise(program, &loaded_);
   solver_.refine(program, refined_.x, refined_.multiplier);
   for (int row = 0; row < program.rows(); ++row)
     refined_.multiplier[row] =

@@ -23,10 +23,10 @@ class ActiveSetMethod {
              std::vector<char>& tight,
              QpResult& result);
 
-  /// Moves a solution onto the rows marked in `tight`, which carry its forces, so that light bodies
-  /// beside heavy ones are as exact as their own forces. Keeps the better of the two: judged by
-  /// QpResidual and body by body (ResidualMeter::imbalance).
-  void refine(const QuadraticProgram& program, const std::vector<char>& tight, QpResult& result);
+  /// Moves a solution onto the rows that carry force, measured by those on the bodies they join, so
+  /// that light bodies beside heavy ones are as exact as their own forces. Keeps the better of the two:
+  /// judged by QpResidual and body by body (ResidualMeter::imbalance).
+  void refine(const QuadraticProgram& program, QpResult& result);
 
  private:
   [[nodiscard]] static bool revise(const QuadraticProgram& program,
@@ -36,6 +36,7 @@ class ActiveSetMethod {
   EqualitySolver solver_;
   ResidualMeter meter_;
   QpResult refined_;
+  std::vector<char> loaded_;
 };
 
 }  // namespace wuerfel

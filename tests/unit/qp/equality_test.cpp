@@ -106,7 +106,7 @@ TEST(ActiveSet, RefinesLightBodiesBesideHeavyOnes) {
   rough.residual = optimality_residual(program, rough.x, rough.multiplier);
   ResidualMeter meter;
   meter.measure_scales(program);
-  ActiveSetMethod().refine(program, {1, 1}, rough);
+  ActiveSetMethod().refine(program, rough);
   EXPECT_LE(rough.residual.worst(), 1e-15);
   EXPECT_LE(meter.imbalance(program, rough.x, rough.multiplier), 1e-15);
   for (const double x : rough.x)
