@@ -1,5 +1,6 @@
 #include "core/time/take_snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constraints/manifold.h"
@@ -40,10 +41,13 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
 }
 
 void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot) {
+  // As with IslandSolution::least_pressing: what a solver may leave at contacts that don't press.
+  constexpr double pressing_share = 1e-9;
+  const double largest = of.forces.force.empty() ? 0.0 : std::ranges::max(of.forces.force);
   for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
     const Contact& c = of.island.contacts[k];
     const double normal = of.forces.force[k];
-    if (normal <= 0.0) continue;
+    if (normal <= pressing_share * largest) continue;
     // Shown is the force that carries: on the upper body of the two, and on a cube where one is
     // fixed.
     const bool carries = system.gravity.dot(c.normal) <= 0.0;
