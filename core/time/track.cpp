@@ -28,6 +28,8 @@ constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
 /// Touching after stepping: gaps of contacts under load have been closed to rounding.
 constexpr double touching_share = 1e-9;
+/// Gaps count as zero in the search for events up to this many times what rounding leaves of them.
+constexpr double rounding_times = 4.0;
 /// Share of V below which a group that was stepped is at rest where its forces balance.
 constexpr double rest_speed = 1e-4;
 constexpr int looks_per_piece = 4;
@@ -144,10 +146,15 @@ void Track::advance(double limit) {
 
 /// Whether the events left overlap: at the last one, or where a search could not be sure.
 bool Track::leaves_overlap(const Audit& before) {
-  if (book_.audit.max_overlap > overlap_share) return true;
+  // Far from the origin rounding of the positions is more than that.
+  double rounding = 0.0;
+  for (const BodyState& s : events_.state())
+    rounding = std::max(rounding, gap_rounding(s.position, s.position));
+  const double share = std::max(overlap_share, rounding_times * rounding / scales_.length);
+  if (book_.audit.max_overlap > share) return true;
   if (book_.audit.searches_given_up == before.searches_given_up) return false;
   finder_.find(*system_, events_.state(), contacts_, 0.0);
-  return finder_.deepest().depth > overlap_share * finder_.deepest().scale;
+  return finder_.deepest().depth > share * finder_.deepest().scale;
 }
 
 double Track::frame() const { return scales_.time / frames_per_time; }
