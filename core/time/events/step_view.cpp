@@ -2,8 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wuerfel {
+namespace {
+
+/// Separations below this share of the smallest side may count as zero.
+constexpr double separated_share = 1e-12;
+
+}  // namespace
 
 MovingBox body_of(const System& system, const State& state, int body) {
   const Body& b = system.body(body);
@@ -20,7 +27,11 @@ Jet value_at(const System& system, const State& state, const EventFunction& f) {
 
 void StepView::begin(const std::vector<char>& resting, double rounding) {
   resting_ = resting;
-  separated_ = 2.0 * rounding;
+  // Never near what counts as touching: what is no contact would meet for ever.
+  double length = std::numeric_limits<double>::max();
+  for (int i = 0; i < system_->cubes; ++i)
+    length = std::min(length, system_->body(i).smaller_side());
+  separated_ = std::min(2.0 * rounding, separated_share * length);
 }
 
 bool StepView::is_still(int body) const {

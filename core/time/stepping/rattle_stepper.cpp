@@ -448,6 +448,7 @@ StepImpulse RattleStepper::impulse_of(const Blow& blow,
 /// velocities allow. What they do not, for the clean-up may lift what stops on landing, is less of a loss.
 void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) const {
   const bool sways = sway_ > 0.0 && surplus_of(record, step) <= 0.0;
+  double unpaid = 0.0;
   for (StepComponent& part : record.components) {
     const double lost = sum_of(part.losses);
     const double goal = energy_of(*system_, start_, part.cubes) - lost;
@@ -459,11 +460,20 @@ void RattleStepper::settle_energy(StepRecord& record, Step& step, double t) cons
       const double missing =
           scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, step.state);
       kept_back = std::clamp(-missing, 0.0, lost);
+      unpaid += std::max(0.0, -missing - kept_back);
     }
     for (StepLoss& loss : part.losses) {
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
       step.book.losses.push_back({t + loss.share * h_, loss.energy, loss.friction, t});
     }
+  }
+  // What slides as a whole has no motion to pay with: others of the group do.
+  for (const StepComponent& part : record.components) {
+    if (unpaid <= 0.0) break;
+    const RigidMotion kept =
+        kept_motion(momentum_of(*system_, step.state, part.cubes), part.fixed_normals);
+    const double goal = energy_of(*system_, step.state, part.cubes) - unpaid;
+    unpaid = std::max(0.0, -scale_to_energy(*system_, part.cubes, kept, goal, 1.0, step.state));
   }
   std::stable_sort(step.book.losses.begin(), step.book.losses.end(),
                    [](const Loss& a, const Loss& b) { return a.t < b.t; });
