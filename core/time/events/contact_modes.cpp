@@ -27,6 +27,10 @@ IslandSolution accelerations(const Island& island,
       rubs(*work.system, island) ? work.friction.accelerations(
           state, island, use, directions_of_slip(*work.system, state, island))
                                  : work.dynamics.accelerations(state, island, use);
+  // Accelerations that cannot be found exactly are those of cubes that are all but wedged: the group is stepped,
+  // for positions know what happens next.
+  if (solution.status == QpStatus::inaccurate && !solution.friction_inexact)
+    solution.status = QpStatus::infeasible;
   work.solves.add(solution);
   return solution;
 }
