@@ -74,7 +74,7 @@ class Gate(unittest.TestCase):
 
     def bench(self, error, status):
         """A bench that knows one row."""
-        return self.gate("errors", "WUERFEL", f"""cat <<'END'
+        return self.gate("errors", "BENCH", f"""cat <<'END'
 scene,method,tolerance,step,state_error,event_error_s,overlap_m,energy_drift_J,residual,status
 tilt,auto/rigid/auto,1e-08,,{error},0,0,0,0,{status}
 END
@@ -93,6 +93,7 @@ END
     def test_a_planted_count_fails_and_is_named(self):
         done = self.gate("counts", "VALGRIND", """
 for argument in "$@"; do case "$argument" in --callgrind-out-file=*) out=${argument#*=};; esac; done
+printf 'desc: Trigger: Program termination\\ntotals: 5\\n' > "$out"
 printf 'desc: Trigger: Client Request: kernel\\ntotals: 10\\n' > "$out.1"
 printf 'desc: Trigger: Client Request: tilt\\ntotals: 9999\\n' > "$out.2"
 """)
@@ -103,9 +104,9 @@ printf 'desc: Trigger: Client Request: tilt\\ntotals: 9999\\n' > "$out.2"
         self.assertIn("count: rider: was not measured", done.stdout)
 
     def test_a_program_that_fails_or_is_not_there_is_told(self):
-        self.assertIn("ended with 3", self.gate("errors", "WUERFEL", "exit 3\n").stderr)
+        self.assertIn("ended with 3", self.gate("errors", "BENCH", "exit 3\n").stderr)
         done = subprocess.run([sys.executable, os.path.join(HERE, "gate"), "errors"], capture_output=True, text=True,
-                              env={**os.environ, "WUERFEL": "/nowhere/wuerfel"})
+                              env={**os.environ, "BENCH": "/nowhere/bench"})
         self.assertEqual((done.returncode, "build first" in done.stderr), (1, True))
 
 

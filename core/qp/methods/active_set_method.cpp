@@ -13,6 +13,9 @@ constexpr double slack_noise = 1e-13;
 constexpr double loaded_share = 1e-9;  ///< of the largest force on a body
 constexpr double exact = 1e-13;        ///< an error that is not worth refining
 
+/// What refining may leave of the residual of the whole program.
+constexpr double refined_residual = 1e-11;
+
 }  // namespace
 
 /// Lets go of rows that pull and takes hold of rows that are violated. Whether any did either.
@@ -87,7 +90,9 @@ void ActiveSetMethod::refine(const QuadraticProgram& program, QpResult& result) 
     refined_.multiplier[row] =
         std::clamp(refined_.multiplier[row], program.force_min[row], program.force_max[row]);
   refined_.residual = meter_.measure(program, refined_.x, refined_.multiplier);
-  if (error(refined_) < before) std::swap(result, refined_);
+  // A better balance of single bodies is no reason to miss the program.
+  const double allowed = std::max(result.residual.worst(), refined_residual);
+  if (error(refined_) < before && refined_.residual.worst() <= allowed) std::swap(result, refined_);
 }
 
 }  // namespace wuerfel
