@@ -50,17 +50,20 @@ double OverlapRemoval::margin(const Contact& c, double overlap) const {
                   std::min(margin_of_square * overlap * overlap * scale, square_of_fall * fall));
 }
 
-/// Per contact: what moves is what overlaps, and turns by as much.
+/// Per contact: what moves is what overlaps, the lighter the farther, and turns by as much.
 std::vector<double> OverlapRemoval::margins_of(const Island& island) const {
-  std::vector<double> overlap(static_cast<std::size_t>(system_->count()), 0.0);
+  std::vector<double> moves(static_cast<std::size_t>(system_->count()), 0.0);
+  const auto ease = [&](int body) {
+    return system_->is_cube(body) ? 1.0 / system_->body(body).mass : 0.0;
+  };
   for (const Contact& c : island.contacts) {
+    const double overlap = -c.gap / contact_scale(*system_, c);
     for (const int body : {c.on, c.from})
-      if (system_->is_cube(body))
-        overlap[body] = std::max(overlap[body], -c.gap / contact_scale(*system_, c));
+      moves[body] = std::max(moves[body], overlap * ease(body) / (ease(c.on) + ease(c.from)));
   }
   std::vector<double> margins;
   for (const Contact& c : island.contacts)
-    margins.push_back(margin(c, std::max(overlap[c.on], overlap[c.from])));
+    margins.push_back(margin(c, moves[c.on] + moves[c.from]));
   return margins;
 }
 
