@@ -224,7 +224,7 @@ def families(reference):
         Family("tower", "cubes on each other", [10, 100, 1000, 10000], [10, 30, 100, 300, 1000, 3000, 10000, 30000], tower_height, holds_to=10000),
         Family("falling_tower", "cubes on each other", [3, 10, 30], [3, 10, 30, 100, 300, 1000], falling_tower),
         Family("knife_edge", "relative distance from falling", powers(-2, -12, 2), powers(-2, -15), knife_edge, holds_to=1e-8),
-        Family("mass_ratio", "ratio of masses", powers(0, 12, 3), powers(0, 15), mass_ratio, holds_to=1e6),
+        Family("mass_ratio", "ratio of masses", powers(0, 12, 3), powers(0, 15), mass_ratio, holds_to=1e13),
         Family("size_ratio", "ratio of sides", powers(0, 4), powers(0, 12), size_ratio, holds_to=1e7),
         Family("step", "step / s", powers(0, -4, 2), [100.0, 10.0] + powers(0, -7), step, holds_to=1e-6),
         Family("tolerance", "tolerance", powers(-3, -11, 2), powers(-1, -14), tolerance_family(reference)),
