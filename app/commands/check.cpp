@@ -10,6 +10,7 @@
 #include "app/cli/option_groups.h"
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
+#include "app/commands/idle_options.h"
 
 namespace wuerfel {
 
@@ -119,9 +120,12 @@ std::string check_text(const Scene& scene, const Check& answer) {
                         "y / m", "force / N", "along / N");
   }
   for (const ContactForce& contact : answer.contacts) {
+    constexpr double rounding = 1e-12;
+    const bool pulls = std::abs(contact.tangential) > rounding * contact.force;
     text += fmt::format("{:<14} {:<14} {:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g}{}\n", contact.on,
                         contact.from, contact.point.x(), contact.point.y(), contact.force,
-                        contact.tangential, contact.unique ? "" : "  not the only one possible");
+                        pulls ? contact.tangential : 0.0,
+                        contact.unique ? "" : "  not the only one possible");
   }
   return text;
 }
@@ -155,9 +159,11 @@ Action declare_check(Options& options) {
   add_scenes(options, asked->scenes, asked->overrides);
   options.flag("--json", "print the answer as JSON", asked->json);
   add_solver_options(options, asked->motion);
-  return [asked](const Stopwatch&) {
+  return [asked, &options](const Stopwatch&) {
     return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
       const Scene scene = parse(text, asked->overrides);
+      Notes notes;
+      note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);
       return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
     });

@@ -73,7 +73,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   if (vector_format(lower_case(asked.output)))
     note_idle(options, {"--encoder"}, "for .svg and .pdf", notes);
   const Scene scene = read_scene(asked.scene);
-  note_what_is_left_out(scene, asked.still.motion.integrator, notes);
+  note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
   TextOutput output(asked.output);

@@ -33,12 +33,22 @@ void require_effect(const Options& options, const MotionSettings& motion) {
            "rattle, moreau, symplectic and euler, and in `wuerfel check`");
 }
 
-void note_what_is_left_out(const Scene& scene, Integrator integrator, Notes& notes) {
+void note_idle_solver(const Options& options, const Scene& scene, Notes& notes) {
+  const System system = make_system(scene);
+  if (system.rubs || system.bounces)
+    note_idle(options, {"--solver"},
+              "for contacts that rub or bounce, whose law has a solver of its own", notes);
+}
+
+void note_what_is_left_out(const Options& options,
+                           const Scene& scene,
+                           Integrator integrator,
+                           Notes& notes) {
   switch (integrator) {
     case Integrator::automatic:
     case Integrator::event:
     case Integrator::rattle:
-      return;
+      return note_idle_solver(options, scene, notes);
     case Integrator::moreau:
     case Integrator::euler:
     case Integrator::symplectic:
@@ -48,8 +58,7 @@ void note_what_is_left_out(const Scene& scene, Integrator integrator, Notes& not
   if (!system.rubs && !system.bounces) return;
   notes.add(
       fmt::format("the scene asks for {}, which --integrator {} does not compute: contacts are "
-                  "frictionless and "
-                  "impacts inelastic",
+                  "frictionless and impacts inelastic",
                   system.rubs && system.bounces ? "friction and restitution"
                   : system.rubs                 ? "friction"
                                                 : "restitution",

@@ -18,7 +18,13 @@ void note_idle(const Options& options,
 void require_effect(const Options& options, const MotionSettings& motion);
 
 /// Friction and restitution that a scene asks for and the integrator does not compute.
-void note_what_is_left_out(const Scene& scene, Integrator integrator, Notes& notes);
+void note_what_is_left_out(const Options& options,
+                           const Scene& scene,
+                           Integrator integrator,
+                           Notes& notes);
+
+/// A chosen solver that is not asked where bodies rub or bounce: Coulomb's law has its own.
+void note_idle_solver(const Options& options, const Scene& scene, Notes& notes);
 
 /// Picture options of layers that are not drawn.
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);

@@ -102,7 +102,7 @@ Answer answer(const RunOptions& asked,
   Notes notes(asked.quiet);
   note_idle_options(asked, options, notes);
   const Scene scene = parse(text, asked.overrides);
-  note_what_is_left_out(scene, asked.motion.integrator, notes);
+  note_what_is_left_out(options, scene, asked.motion.integrator, notes);
   return run({asked, scene, make_plan(asked, scene), since_start}, form, notes);
 }
 

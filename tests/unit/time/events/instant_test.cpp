@@ -41,6 +41,8 @@ TEST(Instant, TwoCubesThatMeetSquarelyGoOnTogether) {
     impulse += e.impulse;
   }
   EXPECT_NEAR(impulse, 0.75, 1e-14);
+  const double loss = kinetic_energy(m.system, m.state) - kinetic_energy(m.system, now.state);
+  EXPECT_NEAR(loss, 0.5 - 0.5 * 4.0 / 16.0, 1e-14);
   ASSERT_EQ(now.modes.closed.touches.size(), 1U);
   EXPECT_EQ(now.modes.closed.touches[0].kind, Touch::Kind::flush);
 }
