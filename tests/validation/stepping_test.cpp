@@ -1,9 +1,11 @@
 // Time stepping: what its error control, its energy and its looks between steps promise.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "core/dynamics/momentum.h"
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
 #include "tests/support/bin_scene.h"
@@ -57,6 +59,93 @@ TEST(Stepping, EnergyRisesByNoMoreThanTheRootOfTheTolerance) {
       EXPECT_LE(energy_of(simulation), beginning * (1.0 + 1e-4)) << step << " at " << 0.01 * k;
     }
   }
+}
+
+// A floor of flush tiles is a floor.
+TEST(Stepping, WhatSlidesOverSeamsKeepsItsVelocity) {
+  for (const double height : {0.1, 0.5, 4.0}) {
+    for (const double speed : {0.5, 3.0, 30.0}) {
+      Scene scene;
+      for (int i = 0; i < 12; ++i)
+        scene.fixed.push_back(
+            {"tile" + std::to_string(i), {0.5, height}, {0.5 * i, -0.5 * height}, 0.0, {}});
+      SceneCube cube;
+      cube.name = "slider";
+      cube.size = {0.25, 0.25};
+      cube.position = {0.3, 0.125};
+      cube.velocity = {speed, 0.0};
+      scene.cubes.push_back(cube);
+      Simulation simulation(scene, stepping(1.0 / 240.0));
+      simulation.advance_to(4.0 / speed);
+      const BodyState& s = simulation.states()[0];
+      EXPECT_NEAR(s.velocity.x(), speed, 1e-12 * speed) << height << " " << speed;
+      EXPECT_NEAR(s.position.y(), 0.125, 1e-9);
+      EXPECT_NEAR(s.angle, 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(Stepping, CrowdsInSpaceKeepTheirMomentumAndTurning) {
+  Scene scene;
+  scene.gravity = Vec2::Zero();
+  for (int k = 0; k < 36; ++k) {
+    SceneCube cube;
+    cube.name = "c" + std::to_string(k);
+    cube.size = {0.35, 0.35};
+    cube.mass = k % 3 == 0 ? 3.0 : 1.0;
+    cube.position = {0.8 * (k % 6), 0.8 * (k / 6)};
+    cube.velocity = {-0.5 * (cube.position.x() - 2.0), -0.5 * (cube.position.y() - 1.7)};
+    cube.angle = 0.37 * k;
+    cube.spin = (k % 5) - 2.0;
+    scene.cubes.push_back(cube);
+  }
+  const System system = make_system(scene);
+  std::vector<int> all(scene.cubes.size());
+  std::iota(all.begin(), all.end(), 0);
+  Simulation simulation(scene, {});
+  const Momentum before = momentum_of(system, simulation.states(), all);
+  double scale = 0.0;  // of the momenta of single cubes, some metres apart
+  for (const SceneCube& cube : scene.cubes)
+    scale += cube.mass * cube.velocity.norm();
+  const double turning = before.angular + det(before.center, before.linear);
+  for (int k = 1; k <= 30; ++k) {
+    simulation.advance_to(0.1 * k);
+    const Momentum now = momentum_of(system, simulation.states(), all);
+    EXPECT_LE((now.linear - before.linear).norm(), 1e-11) << 0.1 * k;
+    EXPECT_NEAR(now.angular + det(now.center, now.linear), turning, 1e-9 * scale) << 0.1 * k;
+  }
+  EXPECT_GT(simulation.cost().hand_overs, 0);
+}
+
+TEST(Stepping, AHeavyCubeIsNotLiftedByALightOneOnIt) {
+  Scene scene = parse_scene(
+      "version = 1\n[[plane]]\n[[cube]]\nposition = [0, 0.5]\nmass = 1e9\n"
+      "[[cube]]\nposition = [0.3, 2.5]\nangle = 0.2\n",
+      "light.toml");
+  Simulation simulation(scene, {});
+  simulation.advance_to(1.0);
+  EXPECT_NEAR(simulation.states()[0].position.y(), 0.5, 2e-10);
+}
+
+TEST(Stepping, PilesThatRubComeToRestByALawThatIsExact) {
+  Scene scene = bin_scene(14, 4.0, 12.0, 2);
+  for (SceneCube& cube : scene.cubes)
+    cube.material.friction = 0.6;
+  for (SceneFixed& fixed : scene.fixed)
+    fixed.material.friction = 0.6;
+  scene.planes[0].material.friction = 0.6;
+  Simulation simulation(scene, {});
+  simulation.advance_to(6.0);
+  const State rest = simulation.states();
+  simulation.advance_to(60.0);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    EXPECT_TRUE(rest[i].velocity.isZero(0.0));
+    EXPECT_EQ(rest[i].position, simulation.states()[i].position);
+    EXPECT_EQ(rest[i].angle, simulation.states()[i].angle);
+  }
+  EXPECT_LE(simulation.audit().friction_residual, 1e-6);
+  EXPECT_LE(simulation.audit().max_overlap, 1e-9);
+  EXPECT_GT(simulation.audit().friction_loss, 1.0);
 }
 
 TEST(Stepping, CrowdsGainNoEnergy) {
