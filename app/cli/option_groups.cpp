@@ -87,10 +87,12 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                                   to_string(picture.layers));
   options.single("--layers", "A,B,..", layers,
                  [&picture](const Text& text) { picture.layers = parse_layers(text); });
+  options.offer("--layers", choices<Layer>());
   const Text theme =
       fmt::format("colours: {} [{}]", join_choices(choices<Theme>()), to_string(picture.theme));
   options.single("--theme", "NAME", theme,
                  [&picture](const Text& text) { picture.theme = parse_theme(text); });
+  options.offer("--theme", choices<Theme>());
   options.single(
       "--force-scale", "S[,L,F]",
       "length of force arrows in m per N, of the longest in m, and the smallest force shown "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,14 @@ class App;
 }
 
 namespace wuerfel {
+
+/// An option as it was declared, for whoever tells about it.
+struct DeclaredOption {
+  std::vector<std::string> names;   ///< "--output", "-o"
+  std::string type;                 ///< "FILE"; empty: it takes nothing
+  std::string meaning;              ///< in a few words
+  std::vector<std::string> values;  ///< all there are, where they can be counted
+};
 
 class Options {
  public:
@@ -52,6 +61,8 @@ class Options {
                      const std::string& meaning,
                      std::string& value);
   void flag(const std::string& names, const std::string& meaning, bool& value);
+  /// All values that an option takes, as completions of shells offer them.
+  void offer(const std::string& name, std::vector<std::string> values);
 
   /// False where help was asked for. Throws UsageError, with a suggestion where an option looks
   /// misspelt.
@@ -61,11 +72,13 @@ class Options {
   [[nodiscard]] std::string help() const;
   /// Whether an option was given.
   [[nodiscard]] bool given(const std::string& name) const;
+  [[nodiscard]] std::vector<DeclaredOption> declared() const;
 
  private:
   [[nodiscard]] std::string complaint(const std::string& otherwise) const;
 
   std::unique_ptr<CLI::App> app_;
+  std::map<std::string, std::vector<std::string>> values_;
 };
 
 }  // namespace wuerfel
