@@ -67,6 +67,29 @@ void Options::required_text(const Text& names, const Text& type, const Text& mea
   app_->add_option(names, value, meaning)->type_name(type)->required();
 }
 
+void Options::optional_value(const Text& name,
+                             const Text& type,
+                             const Text& meaning,
+                             std::function<bool(const Text&)> fits,
+                             Take take) {
+  optional_values_[name] = std::move(fits);
+  single(name, type, meaning, std::move(take));
+}
+
+// `--name TEXT` as `--name=TEXT`, and `--name` alone as `--name=all`: what follows is an argument.
+void Options::join_optional_values(std::vector<Text>& arguments) const {
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const auto optional = optional_values_.find(arguments[k]);
+    if (optional == optional_values_.end()) continue;
+    if (k + 1 == arguments.size() || !optional->second(arguments[k + 1])) {
+      arguments[k] += "=all";
+      continue;
+    }
+    arguments[k] += '=' + arguments[k + 1];
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
 void Options::flag(const Text& names, const Text& meaning, bool& value) {
   app_->add_flag(names, value, meaning);
 }
@@ -76,6 +99,7 @@ void Options::offer(const Text& name, std::vector<Text> values) {
 }
 
 bool Options::parse(std::vector<Text> arguments) {
+  join_optional_values(arguments);
   std::ranges::reverse(arguments);  // CLI11 takes them from the end
   try {
     app_->parse(std::move(arguments));

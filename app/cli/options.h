@@ -60,6 +60,13 @@ class Options {
                      const std::string& type,
                      const std::string& meaning,
                      std::string& value);
+  /// A flag that may be followed by a text, `--name TEXT` or `--name=TEXT`, where that `fits`; else
+  /// `all` is taken, and what follows is an argument. What is behind `=` is always taken.
+  void optional_value(const std::string& name,
+                      const std::string& type,
+                      const std::string& meaning,
+                      std::function<bool(const std::string&)> fits,
+                      Take take);
   void flag(const std::string& names, const std::string& meaning, bool& value);
   /// All values that an option takes, as completions of shells offer them.
   void offer(const std::string& name, std::vector<std::string> values);
@@ -77,8 +84,11 @@ class Options {
  private:
   [[nodiscard]] std::string complaint(const std::string& otherwise) const;
 
+  void join_optional_values(std::vector<std::string>& arguments) const;
+
   std::unique_ptr<CLI::App> app_;
   std::map<std::string, std::vector<std::string>> values_;
+  std::map<std::string, std::function<bool(const std::string&)>> optional_values_;  ///< what fits
 };
 
 }  // namespace wuerfel
