@@ -23,6 +23,7 @@ struct CheckOptions {
   std::vector<std::string> overrides;
   MotionSettings motion;
   bool json = false;
+  int threads = 0;
 };
 
 Json check_json(const Scene& scene, const Check& answer) {
@@ -158,11 +159,12 @@ Action declare_check(Options& options) {
   auto asked = std::make_shared<CheckOptions>();
   add_scenes(options, asked->scenes, asked->overrides);
   options.flag("--json", "print the answer as JSON", asked->json);
+  add_threads_option(options, asked->threads);
   add_solver_options(options, asked->motion);
   return [asked, &options](const Stopwatch&) {
-    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+    const Batch batch{.sources = asked->scenes, .json = asked->json, .threads = asked->threads};
+    return for_each_scene(batch, [&](const SceneText& text, AnswerForm form, Notes& notes) {
       const Scene scene = parse(text, asked->overrides);
-      Notes notes;
       note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);
       return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
