@@ -40,6 +40,14 @@ void add_overrides(Options& options, std::vector<Text>& overrides) {
                 [&overrides](const Text& text) { overrides.push_back(text); });
 }
 
+int parse_threads(const Text& text) {
+  constexpr double most = 1024.0;
+  const double value = parse_number("--threads", text);
+  if (value < 1.0 || value > most || value != std::floor(value))
+    throw UsageError(fmt::format("--threads: '{}' is no whole number of 1 to {}", text, most));
+  return static_cast<int>(value);
+}
+
 // Less than doubles can hold takes for ever.
 double parse_tolerance(const Text& text) {
   constexpr double smallest = 1e-15;
@@ -52,6 +60,11 @@ double parse_tolerance(const Text& text) {
 }
 
 }  // namespace
+
+void add_threads_option(Options& options, int& threads) {
+  options.single("--threads", "N", "scenes that are worked on at once [one per core]",
+                 [&threads](const Text& text) { threads = parse_threads(text); });
+}
 
 void add_scene(Options& options, SceneChoice& scene) {
   options.argument("SCENE", scene_meaning, scene.source);
