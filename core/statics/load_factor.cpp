@@ -19,6 +19,8 @@ constexpr double powerless = 1e-9;
 /// How far above the end the rows that carry force there are looked up.
 constexpr double just_above = 1e-6;
 constexpr int most_cuts = 100;
+/// A load so many times as large as the weights drowns them: what it needs to be more is never enough.
+constexpr double drowning = 1e9;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
@@ -135,7 +137,7 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w, const std::vector<
   Cut next = cut(w, q);
   Top found{next.s};
   for (int k = 0; k < most_cuts; ++k) {
-    if (next.none) return {none};
+    if (next.none || next.s < -drowning) return {none};
     found.s = next.s;
     if (balances(w, q, found.s)) {
       confirm(w, q, found);
