@@ -40,6 +40,14 @@ void add_overrides(Options& options, std::vector<Text>& overrides) {
                 [&overrides](const Text& text) { overrides.push_back(text); });
 }
 
+int parse_threads(const Text& text) {
+  constexpr double most = 1024.0;
+  const double value = parse_number("--threads", text);
+  if (value < 1.0 || value > most || value != std::floor(value))
+    throw UsageError(fmt::format("--threads: '{}' is no whole number of 1 to {}", text, most));
+  return static_cast<int>(value);
+}
+
 // Less than doubles can hold takes for ever.
 double parse_tolerance(const Text& text) {
   constexpr double smallest = 1e-15;
@@ -52,6 +60,11 @@ double parse_tolerance(const Text& text) {
 }
 
 }  // namespace
+
+void add_threads_option(Options& options, int& threads) {
+  options.single("--threads", "N", "scenes that are worked on at once [one per core]",
+                 [&threads](const Text& text) { threads = parse_threads(text); });
+}
 
 void add_scene(Options& options, SceneChoice& scene) {
   options.argument("SCENE", scene_meaning, scene.source);
@@ -87,10 +100,12 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                                   to_string(picture.layers));
   options.single("--layers", "A,B,..", layers,
                  [&picture](const Text& text) { picture.layers = parse_layers(text); });
+  options.offer("--layers", choices<Layer>());
   const Text theme =
       fmt::format("colours: {} [{}]", join_choices(choices<Theme>()), to_string(picture.theme));
   options.single("--theme", "NAME", theme,
                  [&picture](const Text& text) { picture.theme = parse_theme(text); });
+  options.offer("--theme", choices<Theme>());
   options.single(
       "--force-scale", "S[,L,F]",
       "length of force arrows in m per N, of the longest in m, and the smallest force shown "

@@ -29,6 +29,7 @@ struct RunOptions {
   std::string summary;
   bool json = false;
   bool quiet = false;
+  int threads = 0;  ///< for several scenes; 0: one per core
 
   [[nodiscard]] bool tables() const { return !states.empty() || !forces.empty(); }
   /// Names of all files and folders that are asked for.
