@@ -25,7 +25,7 @@ double parse_share(const Text& text) {
 }
 
 double parse_scale(const Text& text) {
-  constexpr double largest = 100.0;
+  constexpr double largest = 8.0;  // text of 150 px
   const double value = parse_positive("--scale", text);
   if (value > largest) throw UsageError(fmt::format("--scale: {} is more than {}", text, largest));
   return value;
@@ -115,6 +115,28 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                  [&picture](const Text& text) {
                    picture.velocity_scale = parse_positive("--velocity-scale", text);
                  });
+  options.single("--acceleration-scale", "S",
+                 "length of acceleration arrows in m per m/s^2 [fits the run]",
+                 [&picture](const Text& text) {
+                   picture.acceleration_scale = parse_positive("--acceleration-scale", text);
+                 });
+  options.single(
+      "--color,--colour", "BY",
+      fmt::format("what the colours of cubes tell: {} [body; load from {} cubes on]",
+                  join_choices(choices<ColorBy>()), crowd),
+      [&picture](const Text& text) { picture.color_by = parse_choice<ColorBy>("--color", text); });
+  options.single(
+      "--color-top", "N", "load in N, or speed in m/s, of the last colour [fits the run]",
+      [&picture](const Text& text) { picture.color_top = parse_positive("--color-top", text); });
+  options.single("--legend", "A,B,..",
+                 fmt::format("what the legend says of forces: any of {} [what occurs]",
+                             join_choices(choices<LegendEntry>())),
+                 [&picture](const Text& text) { picture.legend = parse_legend(text); });
+  options.single(
+      "--average", "S",
+      "forces are averages over the S seconds before, impulses included; 0: those of the "
+      "instant [the time between two frames]",
+      [&picture](const Text& text) { picture.average = parse_time("--average", text); });
   options.single(
       "--rod-scale", "N", "force in N at which rods are drawn thickest [fits the run]",
       [&picture](const Text& text) { picture.rod_scale = parse_positive("--rod-scale", text); });
@@ -129,8 +151,10 @@ void add_picture_options(Options& options, PictureOptions& picture) {
   options.single("--zoom", "Z", "show the view Z times larger [1]", [&picture](const Text& text) {
     picture.camera.zoom = parse_positive("--zoom", text);
   });
-  options.single("--scale", "S", "size of text, lines and arrow heads, 2 for a HiDPI screen [1]",
-                 [&picture](const Text& text) { picture.scale = parse_scale(text); });
+  options.single(
+      "--scale", "S",
+      "size of text, lines and arrow heads, up to 8; they grow with the picture anyway [1]",
+      [&picture](const Text& text) { picture.scale = parse_scale(text); });
 }
 
 void add_encoder_option(Options& options, PngEncoder& encoder) {
