@@ -40,6 +40,18 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   for (const int cube : cubes)
     part.bodies.push_back(whole.body(cube));
   part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
+  part.points = static_cast<int>(std::ranges::count(part.bodies, BodyKind::point, &Body::kind));
+  part.strangers = whole.strangers;
+  // Rods join cubes of one part only.
+  const auto number_in_part = [&](RodEnd& end) {
+    if (end.body < 0) return true;
+    const auto at = std::ranges::lower_bound(cubes, end.body);
+    if (at == cubes.end() || *at != end.body) return false;
+    end.body = static_cast<int>(at - cubes.begin());
+    return true;
+  };
+  for (Rod rod : whole.rods)
+    if (number_in_part(rod.i) && number_in_part(rod.j)) part.rods.push_back(std::move(rod));
   return part;
 }
 
@@ -159,6 +171,8 @@ void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
   UnionFind sets(static_cast<int>(bounds_.size()));
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
     sets.unite(pair.first, pair.second);
+  for (const Rod& rod : system_->rods)
+    if (!is_held(rod)) sets.unite(rod.i.body, rod.j.body);
   for (int i = 1; !settings_.skips.islands && i < static_cast<int>(bounds_.size()); ++i)
     sets.unite(0, i);
   parts.clear();

@@ -43,7 +43,8 @@ void Algorithm1::integrate(GridPoint& point, double dt) const {
     if (point.resting[i] != 0) continue;
     BodyState& s = point.state[i];
     const Twist& a = point.accelerations[i];
-    if (settings_.formulation == Formulation::rigid) {
+    const bool rigid = settings_.formulation == Formulation::rigid;
+    if (rigid || system_->bodies[i].kind == BodyKind::point) {
       euler_step(s.position, s.velocity, a.linear, dt, as_printed);
       euler_step(s.angle, s.spin, a.angular, dt, as_printed);
       continue;

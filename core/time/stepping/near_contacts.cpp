@@ -44,9 +44,8 @@ void NearContacts::find(const State& end,
   bounds_.clear();
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const auto extent = [&](const Box& box) {
-      return Vec2(box.extent() + Vec2::Constant(reach * box.smaller_side()));
-    };
+    const double margin = reach * system_->body(i).smaller_side();
+    const auto extent = [&](const Box& box) { return Vec2(box.extent() + Vec2::Constant(margin)); };
     const Box& a = start_[at];
     const Box& b = end_[at];
     bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
@@ -57,7 +56,9 @@ void NearContacts::find(const State& end,
     if (!system_->is_cube(pair.first)) continue;
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
-    const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
+    if (!system_->may_touch(pair.first, pair.second)) continue;
+    const double scale = std::min(system_->body(pair.first).smaller_side(),
+                                  system_->body(pair.second).smaller_side());
     const FacingSide side = separating_side(*system_, {start_, drift_, end_}, slow_share * fall,
                                             pair.first, pair.second);
     if (side.separation >= reach * scale) continue;
@@ -88,8 +89,8 @@ void NearContacts::add_corners(int cube,
                                std::vector<Contact>& contacts) const {
   const auto at = static_cast<std::size_t>(cube);
   const Body& solid = system_->body(plane);
-  const double near = reach * start_[at].smaller_side();
-  for (int k = 0; k < 4; ++k) {
+  const double near = reach * system_->body(cube).smaller_side();
+  for (int k = 0; k < start_[at].corner_count(); ++k) {
     const auto gap = [&](const Box& box) {
       return solid.normal.dot((box.center - solid.point) + box.arm[k]);
     };

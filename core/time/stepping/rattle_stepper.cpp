@@ -7,6 +7,7 @@
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/time/stepping/close_gaps.h"
 #include "core/time/stepping/step_books.h"
 
@@ -59,6 +60,8 @@ double RattleStepper::longest_step(const State& state) const {
     thinnest = std::min(thinnest, body.smaller_side());
     if (system_->is_cube(i)) fastest = std::max(fastest, fastest_corner(body, state[i]));
   }
+  if (system_->cubes == system_->points)
+    thinnest = std::min(thinnest, scales_of(*system_, state).length);
   // h (v + g h) = thinnest / 2, both bodies of a pair moving.
   const double g = system_->gravity.norm();
   const double reach = 0.25 * thinnest;
@@ -143,6 +146,9 @@ void RattleStepper::fly_half(const Island& island, const IslandSolution& solutio
     if (solution.forces[k] > least)
       push(*system_, c, impulse_at(c, solution, k) / stride_.h, stride_.half);
   }
+  for (std::size_t k = 0; k < island.rods.size(); ++k)
+    push(*system_, system_->rods[island.rods[k]], solution.rods[k] / stride_.h, stride_.start,
+         stride_.half);
   for (const int cube : island.cubes) {
     state[cube].position = stride_.start[cube].position + stride_.h * stride_.half[cube].velocity;
     state[cube].angle = stride_.start[cube].angle + stride_.h * stride_.half[cube].spin;
@@ -159,10 +165,11 @@ void RattleStepper::note_pressed(const Island& island, const IslandSolution& sol
 }
 
 void RattleStepper::place_island(const Island& island, Step& step) {
-  // Where free flight touches nothing there is nothing to solve.
-  const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
-    return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
-  });
+  // Where free flight touches nothing and no rod holds there is nothing to solve.
+  const bool free =
+      island.rods.empty() && std::ranges::none_of(island.contacts, [&](const Contact& c) {
+        return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
+      });
   if (free) {
     ++step.book.cost.skipped_certificate;
     return;
@@ -188,6 +195,18 @@ void RattleStepper::place_island(const Island& island, Step& step) {
   }
 }
 
+/// Rods of an island measured where the cubes have come; whether they miss their lengths there.
+bool RattleStepper::bend_rods(const State& moved, const State& end, Island& bent) const {
+  bool missed = false;
+  for (const int number : bent.rods) {
+    const Rod& rod = system_->rods[number];
+    const double way = rod_excess(rod, stride_.start) + rod_change(rod, stride_.start, moved);
+    bent.bends.push_back(rod_excess(rod, end) - way);
+    missed = missed || !has_length(*system_, end, rod);
+  }
+  return missed;
+}
+
 /// The placement once more: directions stay those of the start, gaps are measured where the cubes have come. That
 /// makes the order two. Where these contradict one another the first place is as good a start for the clean-up.
 void RattleStepper::bend(const Island& island,
@@ -199,7 +218,7 @@ void RattleStepper::bend(const Island& island,
   const State moved = displacement_of(stride_.start, step.state);
   const bool rubbing = rubs(*system_, island);
   Island bent = island;
-  bool missed = false;
+  bool missed = bend_rods(moved, step.state, bent);
   for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
     Contact& c = bent.contacts[k];
     const Contact now = at_poses(*system_, boxes, c);
@@ -229,6 +248,8 @@ void RattleStepper::arrive(Step& step, double t) {
     step.state[i].spin = stride_.half[i].spin;
   }
   step.overlap = removal_.left();
+  if (!system_->rods.empty())
+    step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
   find_touching(step);
   keep_turning(*system_, cleaned_, flown_, step.state);
   if (system_->bounces) strike_anew(step);
@@ -302,6 +323,8 @@ void RattleStepper::hit(Step& step) {
       push(*system_, c, impulse, step.state);
       stride_.blows.at(c.id()).second = impulse;
     }
+    for (std::size_t k = 0; k < island.rods.size(); ++k)
+      push(*system_, system_->rods[island.rods[k]], after.rods[k], stride_.before, step.state);
   }
 }
 

@@ -65,6 +65,7 @@ class RattleStepper {
  private:
   void place(Step& step);
   void place_island(const Island& island, Step& step);
+  bool bend_rods(const State& moved, const State& end, Island& bent) const;
   void bend(const Island& island,
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
