@@ -89,17 +89,17 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   return cause;
 }
 
+/// Of the parts that carry one another only the first counts: they are the same.
 void add_causes_of(const StillScene& still, int m, std::vector<Cause>& causes) {
   const Island& island = still.found.islands[m].island;
-  std::vector<std::vector<int>> parts = carried_parts(still, island);
-  std::ranges::stable_sort(parts, {}, &std::vector<int>::size);
+  const std::vector<std::vector<int>> parts = carried_parts(still, island);
   const PartJudge judge(still, island);
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (std::find(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(k), parts[k])
-        != parts.begin() + static_cast<std::ptrdiff_t>(k))
-      continue;
     PartStand part = judge.judge(parts[k], Shift::of_what_falls);
-    if (!part.stands()) causes.push_back(cause_of(still, m, std::move(part)));
+    const auto same = [&](const Cause& other) { return other.part.cubes == parts[k]; };
+    if (part.stands() || std::ranges::any_of(causes, same)) continue;
+    causes.push_back(cause_of(still, m, std::move(part)));
+    causes.back().base = island.cubes[k];
   }
 }
 
@@ -109,6 +109,7 @@ void add_free(const StillScene& still, std::vector<Cause>& causes) {
   for (int i = 0; i < still.system.cubes; ++i) {
     if (still.island_of(i) >= 0) continue;
     Cause cause;
+    cause.base = i;
     cause.part.cubes = {i};
     cause.part.mass = still.system.body(i).mass;
     cause.part.centre = still.state[i].position;
