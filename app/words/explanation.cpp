@@ -50,13 +50,18 @@ Phrase corner_of(const StillScene& still, int cube, const Vec2& point) {
   return right ? Phrase::upper_right : Phrase::upper_left;
 }
 
+/// Whether the part is told as several cubes; of many one stands for all.
+bool is_many(const Cause& cause) {
+  return cause.part.cubes.size() > 1 && cause.part.cubes.size() <= most_names;
+}
+
 std::string tip_sentence(const StillScene& still,
                          const Cause& cause,
                          const std::string& part,
                          Language language) {
   const Contact& c = still.found.islands[cause.island].island.contacts[*cause.part.pivot];
   const bool own = std::ranges::binary_search(cause.part.cubes, c.on);
-  const bool many = cause.part.cubes.size() > 1;
+  const bool many = is_many(cause);
   const Phrase corner = !own ? Phrase::corner_of : many ? Phrase::own_corners : Phrase::own_corner;
   const std::string on = list_in(language, names_of(still, cause.on));
   return say_in(language, many ? Phrase::tip : Phrase::tips,
@@ -151,7 +156,7 @@ std::string cause_sentence(const StillScene& still, const Cause& cause, Language
   const std::string part = part_name(still, cause.part.cubes, cause.base, language);
   if (cause.failure == Failure::tips) return tip_sentence(still, cause, part, language);
   const auto [one, many] = loss_phrases(still, cause);
-  return say_in(language, cause.part.cubes.size() > 1 ? many : one,
+  return say_in(language, is_many(cause) ? many : one,
                 {{"part", part},
                  {"side", side_name(cause.sense, language)},
                  {"on", list_in(language, names_of(still, cause.on))}});

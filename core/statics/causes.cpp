@@ -67,6 +67,14 @@ int partner(const PartStand& part, const Contact& c) {
   return std::ranges::binary_search(part.cubes, c.on) ? c.from : c.on;
 }
 
+/// What presses at more than one place is driven along by them, not over a corner.
+bool presses_at_one_point(const Island& island, const PartStand& part) {
+  const Contact& pivot = island.contacts[*part.pivot];
+  return std::ranges::all_of(part.presses, [&](int k) {
+    return (island.contacts[k].point - pivot.point).norm() <= touching_tolerance * pivot.length;
+  });
+}
+
 Cause cause_of(const StillScene& still, int m, PartStand part) {
   Cause cause;
   cause.island = m;
@@ -75,7 +83,7 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   for (const int k : cause.part.presses)
     add_once(partner(cause.part, island.contacts[k]), cause.on);
   const LoadRange& shift = cause.part.shift;
-  if (cause.part.pivot && !is_empty(shift)) {
+  if (cause.part.pivot && !is_empty(shift) && presses_at_one_point(island, cause.part)) {
     cause.failure = Failure::tips;
     cause.corner = island.contacts[*cause.part.pivot].point;
     cause.sense = shift.low > 0.0 ? -1 : 1;

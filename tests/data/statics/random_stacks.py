@@ -50,6 +50,10 @@ def contacts(bricks):
     return found
 
 
+def weights(bricks):
+    return [x for b in bricks for x in (F(0), -b[4], F(0))]
+
+
 def columns(bricks, rough):
     """Wrenches of the generators; `rough`: forces along the sides of both signs, too."""
     result = []
@@ -136,20 +140,29 @@ def span(G, w, q, unit=F(1)):
     return [None if s == float("inf") else float(sign * s * unit) for sign, s in ((-1, low), (1, high))]
 
 
+def island(bricks, body):
+    """The bricks that touch one another and this one; the others cannot help it."""
+    pairs = [(i, j) for i, j, _, _ in contacts(bricks) if j is not None]
+    found = {body}
+    while True:
+        more = {k for pair in pairs if found & set(pair) for k in pair} - found
+        if not more:
+            return [b for k, b in enumerate(bricks) if k in found], sum(k < body for k in found)
+        found |= more
+
+
 def case(seed):
     r = random.Random(seed)
     bricks = stack(r)
     body = r.randrange(len(bricks))
-    smooth, rough = columns(bricks, False), columns(bricks, True)
-    w, tilt = [], []
-    for b in bricks:
-        w += [F(0), -b[4], F(0)]
-        tilt += [b[4], F(0), F(0)]
-    shift, load = [F(0)] * len(w), [F(0)] * len(w)
-    shift[3 * body + 2] = -bricks[body][4]
-    load[3 * body + 1] = F(-1)
-    return {"bricks": [[float(x) for x in b] for b in bricks], "body": body, "shift": span(smooth, w, shift),
-            "load": span(smooth, w, load, GRAVITY), "tilt": span(rough, w, tilt)}
+    near, k = island(bricks, body)
+    smooth = columns(near, False)
+    shift, load = [F(0)] * (3 * len(near)), [F(0)] * (3 * len(near))
+    shift[3 * k + 2] = -near[k][4]
+    load[3 * k + 1] = F(-1)
+    tilt = [x for b in bricks for x in (b[4], F(0), F(0))]
+    return {"bricks": [[float(x) for x in b] for b in bricks], "body": body, "shift": span(smooth, weights(near), shift),
+            "load": span(smooth, weights(near), load, GRAVITY), "tilt": span(columns(bricks, True), weights(bricks), tilt)}
 
 
 print("[" + ",\n".join(json.dumps(case(seed)) for seed in range(1, COUNT + 1)) + "]")
