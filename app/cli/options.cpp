@@ -32,7 +32,10 @@ CLI::Option* add_value(
 }  // namespace
 
 Options::Options(const Text& command, const Text& meaning)
-    : app_(std::make_unique<CLI::App>(meaning, command)) {}
+    : app_(std::make_unique<CLI::App>(meaning, command)) {
+  app_->get_formatter()->label("Positionals", "Arguments");
+  app_->get_formatter()->label("REQUIRED", "");
+}
 
 Options::~Options() = default;
 
@@ -91,6 +94,10 @@ void Options::flag(const Text& names, const Text& meaning, bool& value) {
   app_->add_flag(names, value, meaning);
 }
 
+void Options::offer(const Text& name, std::vector<Text> values) {
+  values_[name] = std::move(values);
+}
+
 bool Options::parse(std::vector<Text> arguments) {
   join_optional_values(arguments);
   std::ranges::reverse(arguments);  // CLI11 takes them from the end
@@ -132,6 +139,24 @@ Text Options::complaint(const Text& otherwise) const {
 }
 
 Text Options::help() const { return app_->help(); }
+
+std::vector<DeclaredOption> Options::declared() const {
+  std::vector<DeclaredOption> all;
+  for (const CLI::Option* option : app_->get_options({})) {
+    if (option->get_positional()) continue;
+    DeclaredOption declared;
+    declared.type = option->get_type_size() == 0 ? "" : option->get_type_name();
+    declared.meaning = option->get_description();
+    for (const Text& name : option->get_lnames())
+      declared.names.push_back("--" + name);
+    for (const Text& name : option->get_snames())
+      declared.names.push_back("-" + name);
+    if (const auto found = values_.find(declared.names.front()); found != values_.end())
+      declared.values = found->second;
+    all.push_back(std::move(declared));
+  }
+  return all;
+}
 
 bool Options::given(const Text& name) const { return app_->count(name) > 0; }
 

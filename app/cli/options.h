@@ -13,6 +13,14 @@ class App;
 
 namespace wuerfel {
 
+/// An option as it was declared, for whoever tells about it.
+struct DeclaredOption {
+  std::vector<std::string> names;   ///< "--output", "-o"
+  std::string type;                 ///< "FILE"; empty: it takes nothing
+  std::string meaning;              ///< in a few words
+  std::vector<std::string> values;  ///< all there are, where they can be counted
+};
+
 class Options {
  public:
   /// What becomes of the text behind an option. What it does not understand is a UsageError that
@@ -60,6 +68,8 @@ class Options {
                       std::function<bool(const std::string&)> fits,
                       Take take);
   void flag(const std::string& names, const std::string& meaning, bool& value);
+  /// All values that an option takes, as completions of shells offer them.
+  void offer(const std::string& name, std::vector<std::string> values);
 
   /// False where help was asked for. Throws UsageError, with a suggestion where an option looks
   /// misspelt.
@@ -69,6 +79,7 @@ class Options {
   [[nodiscard]] std::string help() const;
   /// Whether an option was given.
   [[nodiscard]] bool given(const std::string& name) const;
+  [[nodiscard]] std::vector<DeclaredOption> declared() const;
 
  private:
   [[nodiscard]] std::string complaint(const std::string& otherwise) const;
@@ -76,6 +87,7 @@ class Options {
   void join_optional_values(std::vector<std::string>& arguments) const;
 
   std::unique_ptr<CLI::App> app_;
+  std::map<std::string, std::vector<std::string>> values_;
   std::map<std::string, std::function<bool(const std::string&)>> optional_values_;  ///< what fits
 };
 

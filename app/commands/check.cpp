@@ -26,6 +26,7 @@ struct CheckOptions {
   MotionSettings motion;
   StaticsRequest statics;
   bool json = false;
+  int threads = 0;
 };
 
 Json check_json(const Scene& scene, const Check& answer) {
@@ -176,11 +177,12 @@ Action declare_check(Options& options) {
   add_scenes(options, asked->scenes, asked->overrides);
   options.flag("--json", "print the answer as JSON", asked->json);
   add_statics_options(options, asked->statics);
+  add_threads_option(options, asked->threads);
   add_solver_options(options, asked->motion);
   return [asked, &options](const Stopwatch&) {
-    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+    const Batch batch{.sources = asked->scenes, .json = asked->json, .threads = asked->threads};
+    return for_each_scene(batch, [&](const SceneText& text, AnswerForm form, Notes& notes) {
       const Scene scene = parse(text, asked->overrides);
-      Notes notes;
       note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);
       const StaticsAnswer statics(scene, asked->motion, asked->statics, answer.verdict, notes);

@@ -31,15 +31,12 @@ void separate(double touching,
               std::vector<Island>& islands,
               Instant& now,
               Workspace& work) {
-  const auto [moves, pushed] =
-      out_of_overlap(now.state, islands, now.modes.resting, touching, work);
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    now.state[i].position += moves[i].linear;
-    now.state[i].angle += moves[i].angular;
-  }
-  if (pushed) {
+  OutOfOverlap apart = out_of_overlap(now.state, islands, now.modes.resting, touching, work);
+  if (!apart.moved) return;
+  now.state = std::move(apart.state);
+  if (apart.pushed) {
     find_touching(now.state, touching, work, contacts, islands);
-  } else if (!moves.empty()) {
+  } else {
     for (Island& island : islands)
       follow(*work.system, now.state, island);
   }
@@ -82,9 +79,7 @@ void stop(const System& system, const Island& island, double t, bool is_event, I
 /// Puts the closed contacts of an island into the modes.
 void close(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
   now.modes.wedged = now.modes.wedged || modes.wedged;
-  const OntoClosed change = onto_closed(island, now.state, modes.closed, work);
-  if (!change.displacements.empty()) displace(island, change.displacements, now.state);
-  if (!change.velocities.empty()) set_velocities(island, change.velocities, now.state);
+  onto_closed(island, modes.closed, now.state, work);
   std::vector<Box> boxes;
   pose_boxes(*work.system, now.state, boxes);
   ContactSet& closed = now.modes.closed;
