@@ -8,9 +8,9 @@
 namespace wuerfel {
 namespace {
 
-constexpr int known_factorisations = 8;    ///< of newton from remembered modes
+constexpr int known_factorisations = 12;   ///< of newton from remembered modes
 constexpr int guessed_factorisations = 4;  ///< from none
-constexpr int interior_seeds = 8;
+constexpr int interior_seeds = 4;
 constexpr int lemke_seeds = 3;
 constexpr int most_from_open = 600;  ///< contacts of programs for which lemke is tried
 constexpr int most_pivoted = 120;    ///< contacts of programs that are followed with pivoting

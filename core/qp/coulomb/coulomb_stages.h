@@ -53,6 +53,7 @@ class CoulombStages {
  private:
   [[nodiscard]] bool rows_hold() const;
   bool settle(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
+  bool follow_near(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool accept(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool judge_point(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   void find_modes();
