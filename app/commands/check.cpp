@@ -11,6 +11,7 @@
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
+#include "app/commands/statics_options.h"
 
 namespace wuerfel {
 
@@ -22,7 +23,9 @@ struct CheckOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> overrides;
   MotionSettings motion;
+  StaticsRequest statics;
   bool json = false;
+  int threads = 0;
 };
 
 Json check_json(const Scene& scene, const Check& answer) {
@@ -133,10 +136,15 @@ std::string check_text(const Scene& scene, const Check& answer) {
 std::string answer_text(const std::string& name,
                         const Scene& scene,
                         const Check& answer,
+                        const StaticsAnswer& statics,
                         AnswerForm form) {
-  if (form.json) return json_text(check_json(scene, answer), form);
+  if (form.json) {
+    Json json = check_json(scene, answer);
+    statics.add_to(json);
+    return json_text(json, form);
+  }
   if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
-  return check_text(scene, answer);
+  return check_text(scene, answer) + statics.text();
 }
 
 ExitCode exit_code(Verdict verdict) {
@@ -158,14 +166,18 @@ Action declare_check(Options& options) {
   auto asked = std::make_shared<CheckOptions>();
   add_scenes(options, asked->scenes, asked->overrides);
   options.flag("--json", "print the answer as JSON", asked->json);
+  add_statics_options(options, asked->statics);
+  add_threads_option(options, asked->threads);
   add_solver_options(options, asked->motion);
   return [asked, &options](const Stopwatch&) {
-    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+    const Batch batch{.sources = asked->scenes, .json = asked->json, .threads = asked->threads};
+    return for_each_scene(batch, [&](const SceneText& text, AnswerForm form, Notes& notes) {
       const Scene scene = parse(text, asked->overrides);
-      Notes notes;
       note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);
-      return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
+      const StaticsAnswer statics(scene, asked->motion, asked->statics, answer.verdict, notes);
+      return Answer{exit_code(answer.verdict),
+                    answer_text(text.name, scene, answer, statics, form)};
     });
   };
 }

@@ -24,6 +24,8 @@ constexpr std::array commands{
             declare_reproduce},
     Command{"scenes", "list the scenes that come along, or print one", declare_scenes},
     Command{"schema", "print the JSON Schema of scenes", declare_schema},
+    Command{"completions", "print what teaches bash, zsh or fish these commands and options",
+            declare_completions},
 };
 
 std::string help() {

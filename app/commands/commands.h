@@ -38,5 +38,6 @@ Action declare_compare(Options& options);
 Action declare_reproduce(Options& options);
 Action declare_scenes(Options& options);
 Action declare_schema(Options& options);
+Action declare_completions(Options& options);
 
 }  // namespace wuerfel

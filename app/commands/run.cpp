@@ -41,11 +41,11 @@ struct Job {
   const Scene& scene;
   RunPlan plan;
   Stopwatch since_start;
+  const StopSignal& stop;
 };
 
 Answer run(const Job& job, AnswerForm form, Notes& notes) {
-  const auto& [asked, scene, plan, since_start] = job;
-  const StopSignal stop;
+  const auto& [asked, scene, plan, since_start, stop] = job;
   Simulation simulation(scene, asked.motion);
   simulation.set_pulse([&stop] { stop.check(); });
 
@@ -58,8 +58,9 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
 
   // Simulate from one instant that somebody wants to see to the next.
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
-  const Stopwatch watch;
-  const MotionSource source{scene, asked.motion, plan.instants, plan.request, stop};
+  const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
+  const MotionSource source{scene, asked.motion, plan.instants, plan.request, plan.back, stop};
+  FrameTaker taker(plan.request, plan.back);
   Film film(asked.picture, asked.rate, source, pictures);
   std::vector<Sample> samples;
   double worst_force = 0.0;  // residual
@@ -70,12 +71,14 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
     simulation.advance_to(instant.t);
     progress.reached(instant.t);
     if (instant.sample) samples.push_back({instant.t, simulation.states()});
-    if (!instant.frame) continue;
-    Snapshot snapshot = simulation.snapshot(plan.request);
+    std::optional<Snapshot> snapshot = taker.take(simulation, instant);
+    if (!snapshot) continue;
     tables.add_states(instant.t, scene, simulation.states());
-    tables.add_forces(snapshot);
-    if (!asked.forces.empty()) worst_force = std::max(worst_force, snapshot.force_residual);
-    if (!pictures.empty()) film.add(std::move(snapshot));
+    tables.add_forces(*snapshot);
+    if (!asked.forces.empty()) worst_force = std::max(worst_force, snapshot->force_residual);
+    // What only a table asked for is not seen.
+    if (!asked.picture.layers.has(Layer::contact_forces)) snapshot->forces.clear();
+    if (!pictures.empty()) film.add(std::move(*snapshot));
   }
   progress.end();
 
@@ -92,18 +95,22 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   return {code, form.json ? json_text(summary, form) : ""};
 }
 
-Answer answer(const RunOptions& asked,
-              const Options& options,
-              const SceneText& text,
-              AnswerForm form,
-              const Stopwatch& since_start) {
+/// What holds for all scenes of the command.
+struct Errand {
+  const RunOptions& asked;
+  const Options& options;
+  const Stopwatch& since_start;
+  const StopSignal& stop;
+};
+
+Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Notes& notes) {
+  const auto& [asked, options, since_start, stop] = errand;
   if (form.one_line && !asked.files().empty())
     throw UsageError("files are written for one scene at a time; for several there is --json");
-  Notes notes(asked.quiet);
   note_idle_options(asked, options, notes);
   const Scene scene = parse(text, asked.overrides);
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
-  return run({asked, scene, make_plan(asked, scene), since_start}, form, notes);
+  return run({asked, scene, make_plan(asked, scene), since_start, stop}, form, notes);
 }
 
 void declare_outputs(Options& options, RunOptions& asked) {
@@ -129,6 +136,7 @@ void declare_outputs(Options& options, RunOptions& asked) {
   options.text("--summary", "FILE", "the summary as JSON", asked.summary);
   options.flag("--json", "print the summary as JSON", asked.json);
   options.flag("--quiet", "no progress and no notes", asked.quiet);
+  add_threads_option(options, asked.threads);
 }
 
 }  // namespace
@@ -142,9 +150,12 @@ Action declare_run(Options& options) {
   add_motion_options(options, asked->motion);
   return [asked, &options](const Stopwatch& since_start) {
     require_distinct_outputs(*asked);
-    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
-      return answer(*asked, options, text, form, since_start);
-    });
+    const StopSignal stop;
+    const Errand errand{*asked, options, since_start, stop};
+    return for_each_scene({asked->scenes, asked->json, asked->quiet, asked->threads},
+                          [&errand](const SceneText& text, AnswerForm form, Notes& notes) {
+                            return answer(errand, text, form, notes);
+                          });
   };
 }
 

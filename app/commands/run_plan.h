@@ -29,6 +29,7 @@ struct RunOptions {
   std::string summary;
   bool json = false;
   bool quiet = false;
+  int threads = 0;  ///< for several scenes; 0: one per core
 
   [[nodiscard]] bool tables() const { return !states.empty() || !forces.empty(); }
   /// Names of all files and folders that are asked for.
@@ -42,6 +43,7 @@ struct RunPlan {
   double end = 0.0;               ///< s
   std::vector<Instant> instants;  ///< when to look
   SnapshotRequest request;        ///< and at what
+  LookBack back;                  ///< and how far back pictures do
 };
 
 /// Throws UsageError where the options do not fit the scene.

@@ -98,6 +98,7 @@ Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
   Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, impl_->motion->state(),
                                     impl_->look(detail_of(request)), request);
   snapshot.time = time();
+  snapshot.energy_start = impl_->energy_start;
   return snapshot;
 }
 

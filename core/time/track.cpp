@@ -26,8 +26,6 @@ constexpr int most_rubbing_cubes = 12;
 /// Where the user did not choose a step: the first one and the longest, in frames.
 constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
-/// Touching after stepping: gaps of contacts under load have been closed to rounding.
-constexpr double touching_share = 1e-9;
 /// Gaps count as zero in the search for events up to this many times what rounding leaves of them.
 constexpr double rounding_times = 4.0;
 /// Share of V below which a group that was stepped is at rest where its forces balance.
@@ -213,7 +211,7 @@ void Track::step(double limit) {
 void Track::go_on_or_hand_back() {
   if (only_steps_) {
     until_ = (std::round(clock_ / frame()) + longest_step) * frame();
-    stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_share, book_);
+    stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_);
     return;
   }
   const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
@@ -233,7 +231,8 @@ void Track::hand_back() {
   const State state = steps_->with_closed_gaps();
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
-  events_.start(state, clock_, {touching_share, rest_speed}, {}, book_);
+  // Gaps of contacts under load have been closed to rounding.
+  events_.start(state, clock_, {touching_tolerance, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }
 

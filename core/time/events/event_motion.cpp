@@ -231,8 +231,8 @@ State EventMotion::look(const MotionPiece& piece, double t) {
   look_at(piece.motion, (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty()) {
     looker_.close(piece.closed, {}, piece.touches);
-    looker_.project_positions(state);
-    looker_.project_velocities(state);
+    project_places(looker_, state);
+    project_velocities(looker_, state);
   }
   return state;
 }

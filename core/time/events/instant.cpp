@@ -31,15 +31,12 @@ void separate(double touching,
               std::vector<Island>& islands,
               Instant& now,
               Workspace& work) {
-  const auto [moves, pushed] =
-      out_of_overlap(now.state, islands, now.modes.resting, touching, work);
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    now.state[i].position += moves[i].linear;
-    now.state[i].angle += moves[i].angular;
-  }
-  if (pushed) {
+  OutOfOverlap apart = out_of_overlap(now.state, islands, now.modes.resting, touching, work);
+  if (!apart.moved) return;
+  now.state = std::move(apart.state);
+  if (apart.pushed) {
     find_touching(now.state, touching, work, contacts, islands);
-  } else if (!moves.empty()) {
+  } else {
     for (Island& island : islands)
       follow(*work.system, now.state, island);
   }
@@ -77,13 +74,6 @@ void stop(const System& system, const Island& island, double t, bool is_event, I
     now.modes.resting[cube] = 1;
     if (is_event) add_rest(system, island, cube, t, now);
   }
-}
-
-/// Puts an island on its closed contacts.
-void put_onto(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
-  const OntoClosed change = onto_closed(island, now.state, modes.closed, work);
-  if (!change.displacements.empty()) displace(island, change.displacements, now.state);
-  if (!change.velocities.empty()) set_velocities(island, change.velocities, now.state);
 }
 
 /// Puts the closed contacts of an island into the modes.
@@ -142,7 +132,7 @@ void happen_to(const Island& island,
       add_impacts(system, island, hit, t, EventKind::jam, now);
       modes = find_modes(island, now.state, scales, true, work);
     }
-    put_onto(island, modes, now, work);
+    onto_closed(island, modes.closed, now.state, work);
     const ContactLimits after_last{limits.touching, slowest_bounce};
     if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
       stop(system, island, t, !rested && t > 0.0, now);

@@ -32,8 +32,7 @@ void Algorithm1::step(GridPoint& point, double dt, Bookkeeping& book) {
   // v_{i+1} := v_i + a_i dt,  p_{i+1} := p_i + v_i dt
   integrate(point, dt);
   // Eventuell Längenkorrektur
-  correction_.correct_positions(point.state, pressed, book);
-  correction_.correct_velocities(point.state, pressed, book);
+  correction_.correct(point.state, pressed, book);
   point.t += dt;
   restrictions_.find(point, book);
 }
