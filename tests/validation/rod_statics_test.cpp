@@ -58,8 +58,8 @@ Scene truss_scene(const nlohmann::json& data) {
     scene.points.push_back({name, pull.norm() / g, at, Vec2::Zero(), {}});
     scene.rods.push_back({name, place(number), {name, Vec2::Zero()}, 0.25});
     if (pull.x() <= 0.0) continue;
-    const Vec2 down = 0.1 * Vec2(1.0, -1.0).normalized();
-    scene.fixed.push_back({"slope", {0.2, 0.2}, at + down, 0.25 * std::numbers::pi, {}});
+    const Vec2 down = 0.1 * Vec2(-1.0, -1.0).normalized();
+    scene.fixed.push_back({"slope", {0.2, 0.2}, at + down, -0.25 * std::numbers::pi, {}});
   }
   return scene;
 }

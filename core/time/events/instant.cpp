@@ -113,7 +113,6 @@ void stop(const System& system, const Island& island, double t, bool is_event, I
 /// Puts the closed contacts of an island into the modes.
 void close(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
   now.modes.wedged = now.modes.wedged || modes.wedged;
-  onto_closed(island, modes.closed, now.state, work);
   std::vector<Box> boxes;
   pose_boxes(*work.system, now.state, boxes);
   ContactSet& closed = now.modes.closed;
@@ -126,6 +125,13 @@ void close(const Island& island, const IslandModes& modes, Instant& now, Workspa
     touch.slips = modes.sides[k].slips;
     touch.anchor = place_along(*work.system, closed.contacts[touch.first]);
   }
+}
+
+/// Whether everything that touches stays closed and sticks, as after the last blow of a rocking block: openings of less
+/// than the slowest bounces are all that moves then, and closed at once.
+bool holds_still(const IslandModes& modes) {
+  return !modes.sides.empty() && std::ranges::all_of(modes.closed, [](char c) { return c != 0; })
+         && std::ranges::all_of(modes.sides, [](const SideMode& s) { return s.sticks; });
 }
 
 void happen_to(const Island& island,
@@ -161,7 +167,13 @@ void happen_to(const Island& island,
       add_impacts(system, island, hit, t, EventKind::jam, now);
       modes = find_modes(island, now.state, scales, true, work);
     }
-    close(island, modes, now, work);
+    onto_closed(island, modes.closed, now.state, work);
+    const ContactLimits after_last{limits.touching, slowest_bounce};
+    if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
+      stop(system, island, t, !rested && t > 0.0, now);
+    } else {
+      close(island, modes, now, work);
+    }
   }
 }
 
