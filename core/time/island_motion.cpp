@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/dynamics/rod_rows.h"
 #include "core/geometry/union_find.h"
 
 namespace wuerfel {
@@ -55,13 +56,29 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   return part;
 }
 
+/// How far bodies fall before something stops them, as a scale, m: L, or, where rods hold them, how far these reach.
+double free_fall(const System& system, const State& start, const Scales& scales) {
+  if (system.rods.empty()) return scales.length;
+  BoundingBox bounds{start.front().position, start.front().position};
+  const auto include = [&](const Vec2& p) {
+    bounds = {bounds.low.cwiseMin(p), bounds.high.cwiseMax(p)};
+  };
+  for (const BodyState& s : start)
+    include(s.position);
+  for (const Rod& rod : system.rods) {
+    include(held_place(rod.i, start).p);
+    include(held_place(rod.j, start).p);
+  }
+  return std::max(scales.length, (bounds.high - bounds.low).norm());
+}
+
 }  // namespace
 
 IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, const State& start)
     : system_(&system), settings_(settings) {
   scales_ = scales_of(system, start);
   length_ = first_window * scales_.time;
-  in_motion_ = kinetic_energy(system, start) + scales_.weight * scales_.length;
+  in_motion_ = kinetic_energy(system, start) + scales_.weight * free_fall(system, start, scales_);
   budget_ = drift_share * settings.tolerance * in_motion_;
   bounds_.resize(system.cubes);
   group_of_.assign(start.size(), -1);

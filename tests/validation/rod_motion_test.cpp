@@ -217,6 +217,94 @@ TEST(Chain, OfTwentyLinksKeepsItsEnergy) {
   EXPECT_LE(audit.max_rod_error, 1e-12);
 }
 
+class EveryIntegrator : public testing::TestWithParam<Integrator> {};
+
+TEST_P(EveryIntegrator, KeepsLengthsAndPins) {
+  MotionSettings settings;
+  settings.integrator = GetParam();
+  Simulation simulation = simulation_of(
+      "cube = [{name = \"a\", size = [1, 0.2], position = [0.5, 0]}, {name = \"b\", size = [1, "
+      "0.2], position = [1.5, 0]}]\n"
+      "point = [{name = \"p\", position = [2, -1], mass = 0.5}]\n"
+      "pin = [{from = \"a.w\", to = [0, 0]}, {from = \"a.e\", to = \"b.w\"}]\n"
+      "rod = [{from = \"b.e\", to = \"p\"}]\n",
+      settings);
+  for (const double t : {0.3, 0.711, 1.2}) {
+    simulation.advance_to(t);
+    EXPECT_LE(
+        std::abs((simulation.snapshot({}).links[2].a - simulation.snapshot({}).links[2].b).norm()),
+        1e-12);
+    EXPECT_NEAR((simulation.snapshot({}).links[0].a - simulation.snapshot({}).links[0].b).norm(),
+                1.0, 1e-12);
+  }
+  EXPECT_LE(simulation.audit().max_rod_error, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         EveryIntegrator,
+                         testing::Values(Integrator::automatic,
+                                         Integrator::event,
+                                         Integrator::rattle,
+                                         Integrator::moreau,
+                                         Integrator::symplectic,
+                                         Integrator::euler),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
+TEST(Rattle, IsOfSecondOrderWithRods) {
+  // Against the reference of the double pendulum, whose error falls by four with half of the step.
+  const auto error = [](double step) {
+    MotionSettings settings;
+    settings.integrator = Integrator::rattle;
+    settings.step = step;
+    settings.tolerance = 1e-2;  // the step decides
+    const Vec2 p_1(std::sin(2.0), -std::cos(2.0));
+    const Vec2 p_2 = p_1 + 0.8 * Vec2(std::sin(2.5), -std::cos(2.5));
+    Scene scene;
+    scene.points.push_back({"one", 1.0, p_1, Vec2::Zero(), {}});
+    scene.points.push_back({"two", 0.5, p_2, Vec2::Zero(), {}});
+    scene.rods.push_back({"upper", {"one", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
+    scene.rods.push_back({"lower", {"one", Vec2::Zero()}, {"two", Vec2::Zero()}, 0.8});
+    Simulation simulation(scene, settings);
+    simulation.advance_to(2.0);
+    return (simulation.states()[1].position
+            - Vec2(-0.84182969878893535483, -0.80069732992846889898))
+        .norm();
+  };
+  const double coarse = error(1.0 / 1024.0);
+  const double fine = error(1.0 / 2048.0);
+  EXPECT_LE(coarse, 1e-4);
+  EXPECT_NEAR(coarse / fine, 4.0, 0.2);
+}
+
+class SlidingPair : public testing::TestWithParam<Integrator> {};
+
+TEST_P(SlidingPair, OnUnequalFloorsIsSlowedTogether) {
+  MotionSettings settings;
+  settings.integrator = GetParam();
+  Simulation simulation = simulation_of(
+      "plane = [{name = \"floor\"}]\n"
+      "cube = [{name = \"a\", mass = 2, position = [0, 0.5], velocity = [4, 0]},"
+      "        {name = \"b\", position = [3, 0.5], velocity = [4, 0]}]\n"
+      "pair = [{bodies = [\"a\", \"floor\"], friction = 0.3}, {bodies = [\"b\", \"floor\"], "
+      "friction = 0.1}]\n"
+      "rod = [{from = \"a\", to = \"b\"}]\n",
+      settings);
+  const double slowing = 0.7 / 3.0 * g;
+  simulation.advance_to(1.0);
+  EXPECT_NEAR(simulation.states()[0].velocity.x(), 4.0 - slowing, 1e-6);
+  EXPECT_NEAR(simulation.states()[1].velocity.x(), 4.0 - slowing, 1e-6);
+  EXPECT_NEAR(simulation.snapshot({.forces = true}).links[0].tension, 2.0 / 3.0 * 0.2 * g, 1e-6);
+  simulation.advance_to(2.0);
+  EXPECT_NEAR(simulation.states()[0].position.x(), 8.0 / slowing, 1e-4);
+  EXPECT_NEAR(simulation.audit().friction_loss, 24.0, 0.01);
+  EXPECT_LE(simulation.audit().max_rod_error, 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both,
+                         SlidingPair,
+                         testing::Values(Integrator::event, Integrator::rattle),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
 TEST(PointMass, LandsOnABoxAndSlidesOffItsEnd) {
   Simulation simulation = simulation_of(
       "fixed = [{name = \"table\", size = [2, 1], position = [0, 0]}]\n"
