@@ -62,6 +62,8 @@ Step RattleStepper::step(const State& state, double t, double h) {
   Step step;
   step.book.cost.steps = 1;
   stride_ = {h, scales_of(*system_, state), state, state, {}, {}};
+  stride_.rods_first.assign(system_->rods.size(), 0.0);
+  stride_.rods_second.assign(system_->rods.size(), 0.0);
   removal_.begin(state, h);
   place(step);
   flown_ = step.state;
@@ -77,6 +79,7 @@ Step RattleStepper::stop_short(Step tried, double t) {
   step.state = std::move(tried.state);
   for (auto& [id, blow] : stride_.blows)
     blow.second.setZero();
+  std::ranges::fill(stride_.rods_second, 0.0);
   removal_.retreat(step.state);
   arrive(step, t);
   return step;
@@ -137,9 +140,11 @@ void RattleStepper::fly_half(const Island& island, const IslandSolution& solutio
     if (solution.forces[k] > least)
       push(*system_, c, impulse_at(c, solution, k) / stride_.h, stride_.half);
   }
-  for (std::size_t k = 0; k < island.rods.size(); ++k)
-    push(*system_, system_->rods[island.rods[k]], solution.rods[k] / stride_.h, stride_.start,
-         stride_.half);
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    double& impulse = stride_.rods_first[island.rods[k]];
+    impulse = solution.rods[k] / stride_.h;
+    push(*system_, system_->rods[island.rods[k]], impulse, stride_.start, stride_.half);
+  }
   for (const int cube : island.cubes) {
     state[cube].position = stride_.start[cube].position + stride_.h * stride_.half[cube].velocity;
     state[cube].angle = stride_.start[cube].angle + stride_.h * stride_.half[cube].spin;
@@ -324,8 +329,10 @@ void RattleStepper::hit(Step& step) {
       push(*system_, c, impulse, step.state);
       stride_.blows.at(c.id()).second = impulse;
     }
-    for (std::size_t k = 0; k < island.rods.size(); ++k)
+    for (std::size_t k = 0; k < island.rods.size(); ++k) {
+      stride_.rods_second[island.rods[k]] = after.rods[k];
       push(*system_, system_->rods[island.rods[k]], after.rods[k], stride_.before, step.state);
+    }
   }
 }
 
