@@ -18,6 +18,7 @@ namespace {
 constexpr double near_share = 1e-2;     ///< pairs that come nearer may be pushed into each other
 constexpr double pressed_share = 1e-3;  ///< those that were pressed do within this distance
 constexpr double bent_share = 1e-11;    ///< what sides may miss after the first placement
+constexpr int most_bends = 4;           ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
@@ -241,10 +242,26 @@ void RattleStepper::bend(const Island& island,
     note_pressed(island, straight);
     return;
   }
-  const IslandSolution solution = apart(bent, targets, step);
-  const bool found = solution.status == QpStatus::optimal || solution.friction_inexact;
-  if (found) fly_half(island, solution, step.state);
-  note_pressed(island, found ? solution : straight);
+  IslandSolution placed = straight;
+  // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
+  for (int k = 0; k < most_bends && (k == 0 || bend_more(step.state, bent)); ++k) {
+    IslandSolution solution = apart(bent, targets, step);
+    if (solution.status != QpStatus::optimal && !solution.friction_inexact) break;
+    fly_half(island, solution, step.state);
+    placed = std::move(solution);
+  }
+  note_pressed(island, placed);
+}
+
+/// What rods of a bent island still miss where the cubes have come; whether any does.
+bool RattleStepper::bend_more(const State& end, Island& bent) const {
+  bool missed = false;
+  for (std::size_t k = 0; k < bent.rods.size(); ++k) {
+    const Rod& rod = system_->rods[bent.rods[k]];
+    bent.bends[k] += rod_excess(rod, end);
+    missed = missed || !has_length(*system_, end, rod);
+  }
+  return missed;
 }
 
 /// Velocities and books at the end of the way.
