@@ -12,6 +12,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
 #include "app/commands/statics_options.h"
+#include "app/words/explanation.h"
 
 namespace wuerfel {
 
@@ -110,9 +111,17 @@ std::string moving_at_start(const Scene& scene) {
   return names;
 }
 
-// For people: the verdict, who accelerates most, and what presses where.
-std::string check_text(const Scene& scene, const Check& answer) {
+// The first part that fails, if any does alone.
+std::string cause_text(const Scene& scene, const MotionSettings& motion) {
+  const StillScene still = still_scene(scene, motion);
+  const std::optional<Cause> cause = first_cause(still);
+  return cause ? cause_sentence(still, *cause, Language::en) + "\n" : "";
+}
+
+// For people: the verdict, why, who accelerates most, and what presses where.
+std::string check_text(const Scene& scene, const MotionSettings& motion, const Check& answer) {
   std::string text = fmt::format("{}\n", to_string(answer.verdict));
+  if (answer.verdict == Verdict::falls) text += cause_text(scene, motion);
   if (answer.verdict == Verdict::falls || answer.verdict == Verdict::undecided)
     text += fastest_text(scene, answer);
   if (answer.verdict == Verdict::moves)
@@ -135,6 +144,7 @@ std::string check_text(const Scene& scene, const Check& answer) {
 
 std::string answer_text(const std::string& name,
                         const Scene& scene,
+                        const MotionSettings& motion,
                         const Check& answer,
                         const StaticsAnswer& statics,
                         AnswerForm form) {
@@ -144,7 +154,7 @@ std::string answer_text(const std::string& name,
     return json_text(json, form);
   }
   if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
-  return check_text(scene, answer) + statics.text();
+  return check_text(scene, motion, answer) + statics.text();
 }
 
 ExitCode exit_code(Verdict verdict) {
@@ -177,7 +187,7 @@ Action declare_check(Options& options) {
       const Check answer = check(scene, asked->motion);
       const StaticsAnswer statics(scene, asked->motion, asked->statics, answer.verdict, notes);
       return Answer{exit_code(answer.verdict),
-                    answer_text(text.name, scene, answer, statics, form)};
+                    answer_text(text.name, scene, asked->motion, answer, statics, form)};
     });
   };
 }

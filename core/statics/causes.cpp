@@ -67,6 +67,14 @@ int partner(const PartStand& part, const Contact& c) {
   return std::ranges::binary_search(part.cubes, c.on) ? c.from : c.on;
 }
 
+/// What presses at more than one place is driven along by them, not over a corner.
+bool presses_at_one_point(const Island& island, const PartStand& part) {
+  const Contact& pivot = island.contacts[*part.pivot];
+  return std::ranges::all_of(part.presses, [&](int k) {
+    return (island.contacts[k].point - pivot.point).norm() <= touching_tolerance * pivot.length;
+  });
+}
+
 Cause cause_of(const StillScene& still, int m, PartStand part) {
   Cause cause;
   cause.island = m;
@@ -75,7 +83,7 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   for (const int k : cause.part.presses)
     add_once(partner(cause.part, island.contacts[k]), cause.on);
   const LoadRange& shift = cause.part.shift;
-  if (cause.part.pivot && !is_empty(shift)) {
+  if (cause.part.pivot && !is_empty(shift) && presses_at_one_point(island, cause.part)) {
     cause.failure = Failure::tips;
     cause.corner = island.contacts[*cause.part.pivot].point;
     cause.sense = shift.low > 0.0 ? -1 : 1;
@@ -89,17 +97,17 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   return cause;
 }
 
+/// Of the parts that carry one another only the first counts: they are the same.
 void add_causes_of(const StillScene& still, int m, std::vector<Cause>& causes) {
   const Island& island = still.found.islands[m].island;
-  std::vector<std::vector<int>> parts = carried_parts(still, island);
-  std::ranges::stable_sort(parts, {}, &std::vector<int>::size);
+  const std::vector<std::vector<int>> parts = carried_parts(still, island);
   const PartJudge judge(still, island);
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (std::find(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(k), parts[k])
-        != parts.begin() + static_cast<std::ptrdiff_t>(k))
-      continue;
     PartStand part = judge.judge(parts[k], Shift::of_what_falls);
-    if (!part.stands()) causes.push_back(cause_of(still, m, std::move(part)));
+    const auto same = [&](const Cause& other) { return other.part.cubes == parts[k]; };
+    if (part.stands() || std::ranges::any_of(causes, same)) continue;
+    causes.push_back(cause_of(still, m, std::move(part)));
+    causes.back().base = island.cubes[k];
   }
 }
 
@@ -109,6 +117,7 @@ void add_free(const StillScene& still, std::vector<Cause>& causes) {
   for (int i = 0; i < still.system.cubes; ++i) {
     if (still.island_of(i) >= 0) continue;
     Cause cause;
+    cause.base = i;
     cause.part.cubes = {i};
     cause.part.mass = still.system.body(i).mass;
     cause.part.centre = still.state[i].position;

@@ -26,6 +26,7 @@ enum class Failure {
 /// A part that falls whatever the rest does.
 struct Cause {
   int island = -1;  ///< -1: it touches nothing
+  int base = 0;     ///< the cube that carries the others of the part
   PartStand part;
   Failure failure = Failure::drops;
   std::vector<int> on;            ///< bodies that it presses on when it falls

@@ -87,7 +87,11 @@ std::vector<Fix> forces(const StillScene& still,
     const Load q = force_at(still, of.island, hold.cube, hold.point, unit * hold.direction);
     const double s = factor.low(w, q);
     if (!std::isfinite(s) || s <= 0.0) continue;
-    Fix fix{Fix::Kind::force, hold.cube, 0.0, Vec2::Zero(), hold.point, s * unit * hold.direction};
+    Fix fix;
+    fix.kind = Fix::Kind::force;
+    fix.cube = hold.cube;
+    fix.point = hold.point;
+    fix.force = s * unit * hold.direction;
     const auto same = std::ranges::find(fixes, hold.cube, &Fix::cube);
     if (same != fixes.end() && same->size() <= fix.size()) continue;
     fix.verified = verdict_with_force(still, fix.cube, fix.point, fix.force);
@@ -108,7 +112,12 @@ std::vector<Fix> moves(const StillScene& still,
     const std::optional<double> distance = mending_move(still, settings, cube);
     if (!distance) continue;
     const CarriedGroup group = *carried_group(still, cube);
-    Fix fix{Fix::Kind::move, cube, *distance, group.along, still.state[cube].position};
+    Fix fix;
+    fix.cube = cube;
+    fix.distance = *distance;
+    fix.carried = static_cast<int>(group.cubes.size());
+    fix.along = group.along;
+    fix.point = still.state[cube].position;
     fix.verified = move(still, settings, group, *distance).verdict;
     if (fix.verified == Verdict::stands) fixes.push_back(fix);
   }

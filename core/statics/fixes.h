@@ -13,6 +13,7 @@ struct Fix {
   Kind kind = Kind::move;
   int cube = 0;
   double distance = 0.0;      ///< m, of a move of the cube with what it carries; positive: right
+  int carried = 1;            ///< cubes that move
   Vec2 along = Vec2::Zero();  ///< unit vector of the move
   Vec2 point = Vec2::Zero();  ///< m, where a force acts: a corner; of a move the cube's centre
   Vec2 force = Vec2::Zero();  ///< N

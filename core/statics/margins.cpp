@@ -30,10 +30,7 @@ std::optional<TiltMargin> tilt(const StillScene& still, Sliding sliding, double&
   const LoadRange s = tilt_range(still, sliding);
   error = std::max(error, s.error);
   if (is_empty(s)) return std::nullopt;
-  const auto angle = [](double tangent) {
-    return tangent == unbounded ? unbounded : std::atan(tangent);
-  };
-  return TiltMargin{angle(-s.low), angle(s.high)};
+  return tilt_angles(s);
 }
 
 Vec2 middle_of_highest_side(const StillScene& still, int cube) {
@@ -156,6 +153,13 @@ void find_of_bodies(const StillScene& still,
 }
 
 }  // namespace
+
+TiltMargin tilt_angles(const LoadRange& tangents) {
+  const auto angle = [](double tangent) {
+    return tangent == unbounded ? unbounded : std::atan(tangent);
+  };
+  return {angle(-tangents.low), angle(tangents.high)};
+}
 
 Vec2 right_of(const Vec2& down) { return perp(down); }
 

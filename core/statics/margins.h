@@ -67,6 +67,9 @@ struct Weakest {
 /// the margins of every cube.
 std::optional<Weakest> find_weakest(const StillScene& still);
 
+/// Tilts of which accelerations to the side, in g, are the tangents.
+TiltMargin tilt_angles(const LoadRange& tangents);
+
 /// The largest acceleration to the side, in g, at which forces exist: the tangent of the tilt. To the
 /// right; its low end to the left.
 LoadRange tilt_range(const StillScene& still, Sliding sliding);
