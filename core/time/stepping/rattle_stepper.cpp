@@ -315,15 +315,43 @@ void RattleStepper::strike_anew(Step& step) {
   for (const Contact& c : contacts_)
     near.push_back(c.id());
   std::ranges::sort(near);
-  for (auto& [id, blow] : stride_.blows) {
-    const bool bounces = system_->surface(blow.start.on, blow.start.from).restitution > 0.0;
-    if (!bounces || blow.first.isZero(0.0)
-        || closing_speed(*system_, stride_, blow.start) <= impact_steps
-        || !std::ranges::binary_search(near, id))
-      continue;
+  const auto bounces = [&](const Blow& blow) {
+    return system_->surface(blow.start.on, blow.start.from).restitution > 0.0
+           && closing_speed(*system_, stride_, blow.start) > impact_steps
+           && std::ranges::binary_search(near, blow.start.id());
+  };
+  const auto take_back = [&](Blow& blow) {
     push(*system_, blow.start, -blow.first, step.state);
     blow.first.setZero();
+  };
+  std::vector<Island> islands;
+  find_islands(*system_, acting(), islands);
+  for (const Island& island : islands) {
+    bool any = false;
+    for (const Contact& c : island.contacts) {
+      Blow& blow = stride_.blows.at(c.id());
+      if (!bounces(blow)) continue;
+      take_back(blow);
+      any = true;
+    }
+    // Without them others, as in a wedge, push too hard.
+    if (!any || !is_faster_than_free(island, step.state)) continue;
+    for (const Contact& c : island.contacts)
+      take_back(stride_.blows.at(c.id()));
   }
+}
+
+/// Whether an island has more energy in motion than if nothing had touched it since the start.
+bool RattleStepper::is_faster_than_free(const Island& island, const State& state) const {
+  double has = 0.0;
+  double free = 0.0;
+  for (const int cube : island.cubes) {
+    BodyState s = stride_.start[cube];
+    s.velocity += stride_.h * system_->gravity;
+    free += kinetic_energy(system_->body(cube), s);
+    has += kinetic_energy(system_->body(cube), state[cube]);
+  }
+  return has > free;
 }
 
 /// The impact law over all that touches, one island after the other.

@@ -79,6 +79,7 @@ class RattleStepper {
   void arrive(Step& step, double t);
   void find_touching(Step& step);
   void strike_anew(Step& step);
+  [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;
   void hit(Step& step);
   [[nodiscard]] double surplus_of(const StepRecord& record, const State& end) const;
   [[nodiscard]] double error_of(const State& state) const;
