@@ -40,6 +40,7 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   add_motion_options(options, made_with.motion);
   add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
+  add_ghosts_option(options, made_with.ghosts);
   options.parse_line(text);
   return made_with;
 } catch (const UsageError& error) {

@@ -118,7 +118,7 @@ std::optional<Snapshot> FrameTaker::take(const Simulation& simulation, const Ins
       looks_.emplace_back(instant.t, simulation.snapshot({.joints = true}).joints);
     return std::nullopt;
   }
-  Snapshot snapshot = simulation.snapshot(request_);
+  Snapshot snapshot = simulation.snapshot(instant.sample ? request_ : passing_);
   if (request_.joints && back_.average > 0.0) {
     looks_.emplace_back(instant.t, snapshot.joints);
     snapshot.joints = averaged(snapshot);
