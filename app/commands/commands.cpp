@@ -16,6 +16,8 @@ constexpr std::array commands{
     Command{"run", "simulate a scene and write frames, films and tables", declare_run},
     Command{"check", "tell whether a scene stands: exit 0 stands, 1 falls or moves, 3 undecided",
             declare_check},
+    Command{"explain", "tell why a scene falls and what would help, or how nearly it stands",
+            declare_explain},
     Command{"figure", "draw one instant, or a strip of several", declare_figure},
     Command{"compare",
             "tell whether pictures, or folders of them, are the same: exit 0 same, 1 differs",

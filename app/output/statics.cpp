@@ -54,7 +54,7 @@ std::string span(const LoadRange& range, const char* unit) {
 
 std::string degrees(double angle) {
   constexpr double of_radian = 180.0 / std::numbers::pi;
-  return std::isfinite(angle) ? fmt::format("{:.4g} degrees", angle * of_radian) : "any";
+  return std::isfinite(angle) ? fmt::format("{:.4g} degrees", angle * of_radian + 0.0) : "any";
 }
 
 std::string tilt_text(const char* how, const std::optional<TiltMargin>& tilt) {

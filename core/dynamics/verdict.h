@@ -1,6 +1,7 @@
 /// Stands or falls (design, "Verdict").
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "core/model/state.h"
@@ -17,11 +18,17 @@ std::string_view to_string(Verdict verdict);
 inline constexpr double stands_below = 1e-10;
 inline constexpr double falls_above = 1e-9;
 
-/// The largest |a| + side |alpha| of any cube at rest, or of the proof that it cannot stay there, as a
-/// share of g.
-double unrest(const System& system, const State& state, const InstantForces& found);
+/// The largest |a| + side |alpha| of any cube, or of the proof that it cannot stay at rest, as a share of
+/// g. `watched`: of the cubes marked only; empty: of all.
+double unrest(const System& system,
+              const State& state,
+              const InstantForces& found,
+              std::span<const char> watched = {});
 
 /// Of the accelerations and forces at a state.
-Verdict judge(const System& system, const State& state, const InstantForces& found);
+Verdict judge(const System& system,
+              const State& state,
+              const InstantForces& found,
+              std::span<const char> watched = {});
 
 }  // namespace wuerfel

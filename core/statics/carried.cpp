@@ -123,7 +123,7 @@ LoadRange needed(const StillScene& still, const Island& island, const CarriedGro
   LoadRange needed;
   const PartJudge judge(still, island);
   for (const std::vector<int>& cubes : carried_parts(still, island)) {
-    const PartStand part = judge.judge(cubes);
+    const PartStand part = judge.judge(cubes, Shift::of_what_falls);
     if (part.stands()) continue;
     double moved = 0.0;
     for (const int cube : group.cubes)
@@ -157,7 +157,7 @@ std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   const int m = still.island_of(cube);
   if (m < 0) return std::nullopt;
   const Island& island = still.found.islands[m].island;
-  CarriedGroup group{part_of(still, island, cube)};
+  CarriedGroup group{part_of(still, island, cube), m};
   std::optional<Vec2> normal;
   for (const Contact& c : island.contacts) {
     const bool on = std::ranges::binary_search(group.cubes, c.on);
@@ -188,15 +188,18 @@ MovedScene move(const StillScene& still,
   if (deepest.depth > touching_tolerance * deepest.scale)
     return {Verdict::undecided, deepest.depth, true};
   const InstantForces found = forces_at(still.system, settings, state, Detail::accelerations);
-  return {judge(still.system, state, found), unrest(still.system, state, found), false};
+  const std::vector<char> watched = still.concerned(group.island);
+  return {judge(still.system, state, found, watched), unrest(still.system, state, found, watched),
+          false};
 }
 
 LoadRange move_range(const StillScene& still, const MotionSettings& settings, int cube) {
   const std::optional<CarriedGroup> group = carried_group(still, cube);
   if (!group) return no_load;
+  const IslandForces& island = still.found.islands[group->island];
   const MoveSearch search(still, settings, *group);
   const double error = bracketed * search.side();
-  if (still.verdict == Verdict::stands)
+  if (!still.falls(island))
     return {search.first_change(0.0, -1.0), search.first_change(0.0, 1.0), error};
   const std::optional<double> mended = mending_move(still, settings, cube);
   if (!mended) return no_load;

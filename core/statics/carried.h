@@ -12,13 +12,14 @@ namespace wuerfel {
 /// A cube and what it carries, and the way along what they stand on.
 struct CarriedGroup {
   std::vector<int> cubes;
+  int island = -1;
   Vec2 along = Vec2::UnitX();  ///< unit vector, to the right
 };
 
 /// None where the cube stands on sides that are not parallel, or on nothing.
 std::optional<CarriedGroup> carried_group(const StillScene& still, int cube);
 
-/// What becomes of the scene when the group is moved.
+/// What becomes of the group's island, and of all that stands beside it, when the group is moved.
 struct MovedScene {
   Verdict verdict = Verdict::undecided;
   double unrest = 0.0;    ///< largest |a| + side |alpha|, as a share of g

@@ -19,6 +19,10 @@ constexpr double powerless = 1e-9;
 /// How far above the end the rows that carry force there are looked up.
 constexpr double just_above = 1e-6;
 constexpr int most_cuts = 100;
+/// Of an end, as a share of it.
+constexpr double rounding = 1e-12;
+/// A load so many times as large as the weights drowns them: what it needs to be more is never enough.
+constexpr double drowning = 1e9;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
@@ -135,7 +139,7 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w, const std::vector<
   Cut next = cut(w, q);
   Top found{next.s};
   for (int k = 0; k < most_cuts; ++k) {
-    if (next.none) return {none};
+    if (next.none || next.s < -drowning) return {none};
     found.s = next.s;
     if (balances(w, q, found.s)) {
       confirm(w, q, found);
@@ -157,7 +161,11 @@ LoadRange LoadFactor::range(const std::vector<double>& w, const std::vector<doub
   const Top below = top(w, reversed(q));
   if (below.s == -unbounded) return no_load;
   if (above.s == unbounded && below.s == unbounded && !balances(w, q, 0.0)) return no_load;
-  return {-below.s, above.s, std::max(above.error, below.error)};
+  LoadRange found{-below.s, above.s, std::max(above.error, below.error)};
+  // One point, whose two ends rounding has crossed.
+  if (is_empty(found) && found.low - found.high <= rounding * (1.0 + std::abs(found.low)))
+    std::swap(found.low, found.high);
+  return found;
 }
 
 double LoadFactor::low(const std::vector<double>& w, const std::vector<double>& q) {

@@ -6,6 +6,7 @@
 #include "core/statics/carried.h"
 #include "core/statics/generators.h"
 #include "core/statics/loads.h"
+#include "core/statics/parts.h"
 
 namespace wuerfel {
 namespace {
@@ -20,8 +21,8 @@ LoadRange scaled(const LoadRange& range, double factor) {
 }
 
 /// An end that is zero but for rounding, of a scene that stands, is zero: a knife edge.
-LoadRange around_zero(const LoadRange& range, Verdict verdict) {
-  if (verdict != Verdict::stands || is_empty(range)) return range;
+LoadRange around_zero(const LoadRange& range, bool stands) {
+  if (!stands || is_empty(range)) return range;
   return {std::min(range.low, 0.0) + 0.0, std::max(range.high, 0.0) + 0.0, range.error};
 }
 
@@ -29,10 +30,7 @@ std::optional<TiltMargin> tilt(const StillScene& still, Sliding sliding, double&
   const LoadRange s = tilt_range(still, sliding);
   error = std::max(error, s.error);
   if (is_empty(s)) return std::nullopt;
-  const auto angle = [](double tangent) {
-    return tangent == unbounded ? unbounded : std::atan(tangent);
-  };
-  return TiltMargin{angle(-s.low), angle(s.high)};
+  return tilt_angles(s);
 }
 
 Vec2 middle_of_highest_side(const StillScene& still, int cube) {
@@ -51,11 +49,11 @@ Vec2 middle_of_highest_side(const StillScene& still, int cube) {
 /// The margins of the cubes of one island.
 class IslandMargins {
  public:
-  IslandMargins(const StillScene& still, const Island& island)
+  IslandMargins(const StillScene& still, const IslandForces& of)
       : still_(still),
-        island_(island),
-        factor_(find_generators(still.system, still.state, island, Sliding::given).program),
-        weights_(weights(still, island)) {}
+        of_(of),
+        factor_(find_generators(still.system, still.state, of.island, Sliding::given).program),
+        weights_(weights(still, of.island)) {}
 
   LoadRange shift(int cube) {
     if (still_.system.gravity.isZero(0.0)) return {};  // no weight, nowhere
@@ -63,20 +61,20 @@ class IslandMargins {
     const double lever = side * still_.weight(cube);
     // A weight that acts at r turns with det(r, down) times itself.
     const double turn = det(right_of(still_.down()), still_.down());
-    const Load q = torque_on(island_, cube, lever * turn);
-    return around_zero(scaled(factor_.range(weights_, q), side), still_.verdict);
+    const Load q = torque_on(of_.island, cube, lever * turn);
+    return around_zero(scaled(factor_.range(weights_, q), side), of_.rests);
   }
 
   LoadRange load(int cube) {
     const double weight = still_.weight(cube);
-    const Load q = force_at(still_, island_, cube, middle_of_highest_side(still_, cube),
+    const Load q = force_at(still_, of_.island, cube, middle_of_highest_side(still_, cube),
                             weight * still_.down());
-    return around_zero(scaled(factor_.range(weights_, q), weight), still_.verdict);
+    return around_zero(scaled(factor_.range(weights_, q), weight), of_.rests);
   }
 
  private:
   const StillScene& still_;
-  const Island& island_;
+  const IslandForces& of_;
   LoadFactor factor_;
   Load weights_;
 };
@@ -111,6 +109,22 @@ void find_smallest(const StillScene& still, Margins& margins) {
   }
 }
 
+/// What a shift of its weight, as a share of its smaller side, can be at most for each cube of an
+/// island: no part that it belongs to may leave its support.
+std::vector<double> shares_at_most(const StillScene& still, const Island& island) {
+  std::vector<double> most(still.system.cubes, unbounded);
+  const PartJudge judge(still, island);
+  for (const std::vector<int>& cubes : carried_parts(still, island)) {
+    const PartStand part = judge.judge(cubes, Shift::of_all);
+    const double shift = std::min(-part.shift.low, part.shift.high);
+    for (const int cube : cubes) {
+      const Body& body = still.system.body(cube);
+      most[cube] = std::min(most[cube], shift * part.mass / (body.mass * body.size.minCoeff()));
+    }
+  }
+  return most;
+}
+
 std::vector<int> cubes_of(const StillScene& still, const MarginRequest& request) {
   if (!request.cubes.empty()) return request.cubes;
   std::vector<int> all(still.system.cubes);
@@ -127,7 +141,7 @@ void find_of_bodies(const StillScene& still,
     margins.bodies.push_back({cube, no_load, no_load, no_load});
   for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
     const Island& island = still.found.islands[m].island;
-    IslandMargins of(still, island);
+    IslandMargins of(still, still.found.islands[m]);
     for (BodyMargin& body : margins.bodies) {
       if (!std::ranges::binary_search(island.cubes, body.cube)) continue;
       if (request.shift) body.shift = of.shift(body.cube);
@@ -139,6 +153,13 @@ void find_of_bodies(const StillScene& still,
 }
 
 }  // namespace
+
+TiltMargin tilt_angles(const LoadRange& tangents) {
+  const auto angle = [](double tangent) {
+    return tangent == unbounded ? unbounded : std::atan(tangent);
+  };
+  return {angle(-tangents.low), angle(tangents.high)};
+}
 
 Vec2 right_of(const Vec2& down) { return perp(down); }
 
@@ -155,7 +176,7 @@ LoadRange tilt_range(const StillScene& still, Sliding sliding) {
     if (is_empty(range)) return no_load;
   }
   if (std::ranges::find(free, 1) != free.end()) return no_load;  // falls freely
-  return around_zero(range, still.verdict);
+  return around_zero(range, still.verdict == Verdict::stands);
 }
 
 Margins find_margins(const StillScene& still,
@@ -170,6 +191,26 @@ Margins find_margins(const StillScene& still,
     find_of_bodies(still, settings, request, margins);
   find_smallest(still, margins);
   return margins;
+}
+
+/// Branch and bound.
+std::optional<Weakest> find_weakest(const StillScene& still) {
+  std::optional<Weakest> best;
+  if (still.verdict != Verdict::stands || still.system.gravity.isZero(0.0)) return best;
+  for (const IslandForces& of : still.found.islands) {
+    const std::vector<double> most = shares_at_most(still, of.island);
+    std::vector<int> order = of.island.cubes;
+    std::ranges::stable_sort(order, {}, [&](int cube) { return most[cube]; });
+    IslandMargins margins(still, of);
+    for (const int cube : order) {
+      if (best && most[cube] >= best->share) break;
+      const LoadRange shift = margins.shift(cube);
+      const double share =
+          std::min(-shift.low, shift.high) / still.system.body(cube).size.minCoeff();
+      if (std::isfinite(share) && (!best || share < best->share)) best = {cube, share, shift};
+    }
+  }
+  return best;
 }
 
 }  // namespace wuerfel

@@ -56,6 +56,20 @@ Margins find_margins(const StillScene& still,
                      const MotionSettings& settings,
                      const MarginRequest& request = {});
 
+/// The cube whose weight may shift least, as a share of its smaller side.
+struct Weakest {
+  int cube = 0;
+  double share = 0.0;
+  LoadRange shift;  ///< m
+};
+
+/// Of a scene that stands; none where every weight may shift as it likes. Margins::smallest without
+/// the margins of every cube.
+std::optional<Weakest> find_weakest(const StillScene& still);
+
+/// Tilts of which accelerations to the side, in g, are the tangents.
+TiltMargin tilt_angles(const LoadRange& tangents);
+
 /// The largest acceleration to the side, in g, at which forces exist: the tangent of the tilt. To the
 /// right; its low end to the left.
 LoadRange tilt_range(const StillScene& still, Sliding sliding);

@@ -131,7 +131,7 @@ void PartJudge::fall(const Generators& glued, PartStand& part) const {
   if (radius * std::abs(a.angular) <= part_rests * g.norm()) part.pivot.reset();  // slides or falls
 }
 
-PartStand PartJudge::judge(const std::vector<int>& cubes) const {
+PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   PartStand part;
   part.cubes = cubes;
   double inertia = 0.0;
@@ -154,7 +154,8 @@ PartStand PartJudge::judge(const std::vector<int>& cubes) const {
     if (share.contact >= 0) add_once(share.contact, part.held_by);
   }
   fall(glued, part);
-  if (still_->system.gravity.isZero(0.0)) return part;
+  if (shift == Shift::ignored || still_->system.gravity.isZero(0.0)) return part;
+  if (shift == Shift::of_what_falls && part.stands()) return part;
   // A weight that acts one radius of gyration to the right turns with det(right, down) times itself.
   const double radius = std::sqrt(inertia / part.mass);
   const double turn = det(right_of(still_->down()), still_->down());

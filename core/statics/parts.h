@@ -28,11 +28,14 @@ struct PartStand {
   [[nodiscard]] bool stands() const { return motion.linear.isZero(0.0) && motion.angular == 0.0; }
 };
 
+/// Of which parts it is asked how far they may be shifted.
+enum class Shift { ignored, of_what_falls, of_all };
+
 class PartJudge {
  public:
   PartJudge(const StillScene& still, const Island& island);
 
-  [[nodiscard]] PartStand judge(const std::vector<int>& cubes) const;
+  [[nodiscard]] PartStand judge(const std::vector<int>& cubes, Shift shift) const;
 
  private:
   [[nodiscard]] bool is_inner(const PartStand& part, int row) const;

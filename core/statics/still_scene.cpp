@@ -11,6 +11,16 @@ int StillScene::island_of(int cube) const {
   return of == found.islands.end() ? -1 : static_cast<int>(of - found.islands.begin());
 }
 
+std::vector<char> StillScene::concerned(int island) const {
+  std::vector<char> result(system.cubes, 0);
+  for (int m = 0; m < static_cast<int>(found.islands.size()); ++m) {
+    if (m != island && falls(found.islands[m])) continue;
+    for (const int cube : found.islands[m].island.cubes)
+      result[cube] = 1;
+  }
+  return result;
+}
+
 double StillScene::weight(int cube) const {
   const double g = system.gravity.norm();
   return system.body(cube).mass * (g > 0.0 ? g : 1.0);

@@ -137,6 +137,9 @@ DrawList compose_frame(const Snapshot& snapshot,
   if (parts.has(Layer::sides)) part("sides", internal::add_sides);
   if (parts.has(Layer::rods)) part("rods", internal::add_rods);
   if (parts.has(Layer::rod_forces)) part("rod-forces", internal::add_rod_forces);
+  const bool shows_bodies = parts.has(Layer::cubes);
+  if (shows_bodies || parts.has(Layer::rods) || parts.has(Layer::rod_forces))
+    part("links", internal::add_links);
   if (parts.has(Layer::joints)) part("pressure", internal::add_pressure);
   if (parts.has(Layer::thrust)) part("thrust", internal::add_thrust);
   if (parts.has(Layer::normals)) part("normals", internal::add_normals);
