@@ -19,7 +19,7 @@ std::size_t bytes_of(const std::vector<T>& list) {
 Audit MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
   Simulation simulation(scene, motion);
   simulation.set_pulse([this] { stop.check(); });
-  FrameTaker taker(request, back);
+  FrameTaker taker(request, passing, back);
   std::optional<Audit> audit;
   for (const Instant& instant : instants) {
     stop.check();

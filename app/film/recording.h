@@ -25,6 +25,7 @@ struct MotionSource {
   MotionSettings motion;
   std::vector<Instant> instants;
   SnapshotRequest request;
+  SnapshotRequest passing;  ///< of frames that are only on the way to those asked for
   LookBack back;
   const StopSignal& stop;
 

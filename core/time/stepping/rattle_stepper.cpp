@@ -15,8 +15,7 @@ namespace wuerfel {
 namespace {
 
 // Shares of the smaller side of a pair.
-constexpr double near_share = 1e-2;     ///< pairs that come nearer may be pushed into each other
-constexpr double pressed_share = 1e-3;  ///< those that were pressed do within this distance
+constexpr double pressed_share = 1e-3;  ///< contacts that were pressed take part in the velocity program up to here
 constexpr double bent_share = 1e-11;    ///< what sides may miss after the first placement
 constexpr int most_bends = 4;           ///< placements that follow the first one where rods hold
 
@@ -233,7 +232,7 @@ void RattleStepper::bend(const Island& island,
     const double slip =
         rubbing ? slip_of(*system_, c, now) - slip_rate(*system_, way_.moved, c) : 0.0;
     missed = missed
-             || (std::max(std::abs(gap), std::abs(slip)) > bent_share * contact_scale(*system_, c)
+             || (std::max(std::abs(gap), std::abs(slip)) > closed_gap * contact_scale(*system_, c)
                  && (straight.forces[k] > 0.0 || now.gap < 0.0));
     c.gap += gap;
     c.slip += slip;
