@@ -50,12 +50,15 @@ Json schema_of(const Bond& /*type*/, const Limits& /*limits*/) {
 }
 Json schema_of(const bool& /*type*/, const Limits& /*limits*/) { return {{"type", "boolean"}}; }
 Json schema_of(const PlaceEntry& /*type*/, const Limits& limits) {
+  Json body = schema_of(std::string(), limits::name);
+  body["description"] = "Name of a body";
   const Json place = schema_of(Vec2{}, limits);
-  const Json in_frame = {
-      {"type", "object"},
-      {"additionalProperties", false},
-      {"properties", {{"body", schema_of(std::string(), limits::name)}, {"at", place}}},
-      {"required", {"body", "at"}}};
+  Json at = place;
+  at["description"] = "m, from its centre, in the frame of the unturned body";
+  const Json in_frame = {{"type", "object"},
+                         {"additionalProperties", false},
+                         {"properties", {{"body", std::move(body)}, {"at", std::move(at)}}},
+                         {"required", {"body", "at"}}};
   return {{"oneOf", Json::array({schema_of(std::string(), limits::place), place, in_frame})}};
 }
 Json schema_of(const Rgb& /*type*/, const Limits& /*limits*/) {
