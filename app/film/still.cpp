@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/film/origin.h"
+#include "app/film/reason.h"
 #include "app/film/recording.h"
 #include "app/film/trails.h"
 #include "core/scene/scene_parser.h"
@@ -70,6 +71,7 @@ StillOptions completed(const Scene& scene, const StillOptions& options) {
 std::vector<DrawList> compose_cells(const Recording& motion,
                                     const std::vector<Instant>& instants,
                                     const PictureOptions& fitted,
+                                    const std::optional<SnapshotReason>& reason,
                                     Font& font) {
   const Style style = make_style(fitted.theme);
   const FrameOptions frame = frame_options(fitted);
@@ -84,6 +86,7 @@ std::vector<DrawList> compose_cells(const Recording& motion,
     if (!asked_for) return;
     Snapshot shown = snapshot;
     shown.trails = trails.paths();
+    shown.reason = reason;
     lists.push_back(compose_frame(shown, view_of(fitted, shown), style, frame, font));
   });
   return lists;
@@ -96,6 +99,7 @@ std::string settings_text(const StillOptions& options, const PictureOptions& fit
   std::string text = option_text(page);
   if (options.strip)
     text += fmt::format(" --strip {}x{}", options.strip->columns, options.strip->rows);
+  if (options.why) text += fmt::format(" --why {}", to_string(*options.why));
   return text + " " + option_text(options.motion);
 }
 
@@ -115,7 +119,9 @@ Still compose_still(const Scene& scene,
 
   const PictureOptions fitted =
       fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);
-  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, font);
+  std::optional<SnapshotReason> reason;
+  if (options.why) reason = picture_reason(scene, explain(scene, options.motion), *options.why);
+  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, reason, font);
 
   still.origin.push_back(time_text(options.times));
   for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(scene)))

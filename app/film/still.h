@@ -7,6 +7,7 @@
 #include "app/cli/stop_signal.h"
 #include "app/film/picture_options.h"
 #include "app/film/timetable.h"
+#include "app/words/language.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/time/simulation.h"
@@ -27,6 +28,8 @@ struct StillOptions {
   /// Frames of the film that the picture fits into: how often trails look where cubes are, too.
   FrameRate rate;
   std::optional<double> end;  ///< s, of that film; none: the scene's duration
+  /// Why the scene stands or falls is marked and told in this language: pictures of the start.
+  std::optional<Language> why;
 };
 
 /// A still picture that any backend can draw.

@@ -104,7 +104,8 @@ DrawList compose_frame(const Snapshot& snapshot,
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
   if (parts.has(Layer::contacts)) add_contacts(parts);
   if (parts.has(Layer::points)) add_points(parts);
-  if (parts.has(Layer::hud)) add_hud(parts);
+  if (snapshot.reason) add_reason(parts);
+  if (parts.has(Layer::hud)) snapshot.reason ? add_reason_text(parts) : add_hud(parts);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
   if (parts.has(Layer::names)) add_names(parts);

@@ -73,6 +73,9 @@ void add_impacts(const FrameParts& parts);
 std::vector<PendingArrow> add_arrows(const FrameParts& parts);
 void add_names(const FrameParts& parts);
 void add_hud(const FrameParts& parts);
+/// Marks of Snapshot::reason, and its words in the place of the HUD.
+void add_reason(const FrameParts& parts);
+void add_reason_text(const FrameParts& parts);
 
 /// Arrows of the forces, and dots for those too small for one.
 void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
