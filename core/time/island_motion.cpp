@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/dynamics/rod_rows.h"
 #include "core/geometry/union_find.h"
 
 namespace wuerfel {
@@ -40,7 +41,35 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   for (const int cube : cubes)
     part.bodies.push_back(whole.body(cube));
   part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
+  part.points = static_cast<int>(std::ranges::count(part.bodies, BodyKind::point, &Body::kind));
+  part.strangers = whole.strangers;
+  // Rods join cubes of one part only.
+  const auto number_in_part = [&](RodEnd& end) {
+    if (end.body < 0) return true;
+    const auto at = std::ranges::lower_bound(cubes, end.body);
+    if (at == cubes.end() || *at != end.body) return false;
+    end.body = static_cast<int>(at - cubes.begin());
+    return true;
+  };
+  for (Rod rod : whole.rods)
+    if (number_in_part(rod.i) && number_in_part(rod.j)) part.rods.push_back(std::move(rod));
   return part;
+}
+
+/// How far bodies fall before something stops them, as a scale, m: L, or, where rods hold them, how far these reach.
+double free_fall(const System& system, const State& start, const Scales& scales) {
+  if (system.rods.empty()) return scales.length;
+  BoundingBox bounds{start.front().position, start.front().position};
+  const auto include = [&](const Vec2& p) {
+    bounds = {bounds.low.cwiseMin(p), bounds.high.cwiseMax(p)};
+  };
+  for (const BodyState& s : start)
+    include(s.position);
+  for (const Rod& rod : system.rods) {
+    include(held_place(rod.i, start).p);
+    include(held_place(rod.j, start).p);
+  }
+  return std::max(scales.length, (bounds.high - bounds.low).norm());
 }
 
 }  // namespace
@@ -49,7 +78,7 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
     : system_(&system), settings_(settings) {
   scales_ = scales_of(system, start);
   length_ = first_window * scales_.time;
-  in_motion_ = kinetic_energy(system, start) + scales_.weight * scales_.length;
+  in_motion_ = kinetic_energy(system, start) + scales_.weight * free_fall(system, start, scales_);
   budget_ = drift_share * settings.tolerance * in_motion_;
   bounds_.resize(system.cubes);
   group_of_.assign(start.size(), -1);
@@ -96,7 +125,7 @@ const Bookkeeping& IslandMotion::book() {
   shown_.audit.impact_loss = impact_loss_;
   shown_.audit.friction_loss = friction;
   shown_.cost = computed_.cost;
-  const bool stepped = settings_.integrator == Integrator::rattle || computed_.cost.hand_overs > 0
+  const bool stepped = policy_of(settings_).only_steps || computed_.cost.hand_overs > 0
                        || system_->rubs || system_->bounces;
   shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact_loss_ + friction)
                                             + uneven_share * under_way
@@ -159,6 +188,8 @@ void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
   UnionFind sets(static_cast<int>(bounds_.size()));
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
     sets.unite(pair.first, pair.second);
+  for (const Rod& rod : system_->rods)
+    if (!is_held(rod)) sets.unite(rod.i.body, rod.j.body);
   for (int i = 1; !settings_.skips.islands && i < static_cast<int>(bounds_.size()); ++i)
     sets.unite(0, i);
   parts.clear();
@@ -196,7 +227,7 @@ void IslandMotion::begin_window() {
   for (Group& group : groups_) {
     group.track->forget_before(begin_);
     for (std::size_t m = 0; m < group.cubes.size(); ++m) {
-      const auto cube = static_cast<std::size_t>(group.cubes[m]);
+      const int cube = group.cubes[m];
       resting_[cube] = group.track->resting()[m];
       stepping_[cube] = group.track->stepping();
     }
@@ -239,7 +270,7 @@ void IslandMotion::regroup(const State& state, const std::vector<std::vector<int
   groups_ = std::move(next);
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     for (std::size_t m = 0; m < groups_[k].cubes.size(); ++m) {
-      const auto cube = static_cast<std::size_t>(groups_[k].cubes[m]);
+      const int cube = groups_[k].cubes[m];
       group_of_[cube] = static_cast<int>(k);
     }
   }
@@ -253,8 +284,7 @@ void IslandMotion::make_group(const State& state, const std::vector<int>& cubes,
   State part;
   std::vector<char> rests;
   Track::Stepping stepping;
-  for (const int cube : cubes) {
-    const auto i = static_cast<std::size_t>(cube);
+  for (const int i : cubes) {
     part.push_back(state[i]);
     rests.push_back(resting_[i]);
     stepping = later(stepping, stepping_[i]);

@@ -5,6 +5,7 @@
 
 #include "core/dynamics/forces_at.h"
 #include "core/time/island_motion.h"
+#include "core/time/policy.h"
 #include "core/time/reference/fixed_step_motion.h"
 #include "core/time/start_state.h"
 #include "core/time/take_snapshot.h"
@@ -18,17 +19,9 @@ constexpr double moved_share = 1e-9;
 std::unique_ptr<Motion> make_motion(const System& system,
                                     const MotionSettings& settings,
                                     const State& start) {
-  switch (settings.integrator) {
-    case Integrator::euler:
-    case Integrator::symplectic:
-    case Integrator::moreau:
-      return std::make_unique<FixedStepMotion>(system, settings, start);
-    case Integrator::automatic:
-    case Integrator::event:
-    case Integrator::rattle:
-      break;
-  }
-  return std::make_unique<IslandMotion>(system, settings, start);
+  if (policy_of(settings).method == MotionPolicy::Method::groups)
+    return std::make_unique<IslandMotion>(system, settings, start);
+  return std::make_unique<FixedStepMotion>(system, settings, start);
 }
 
 void add(const LookCost& more, LookCost& cost) {
@@ -55,7 +48,9 @@ struct Simulation::Impl {
         start(start_state(s)),
         energy_start(energy(system, start)),
         motion(make_motion(system, settings, start)),
-        finder(system, settings) {}
+        finder(system, settings) {
+    require_consistent_rods(system, motion->state());
+  }
 
   /// What touches and presses where the motion is. The motion and its books do not notice.
   const InstantForces& look(Detail detail) {
@@ -107,7 +102,7 @@ std::vector<std::string> Simulation::moved() const {
   const State& now = impl_->motion->state();
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Body& body = impl_->system.bodies[i];
-    const double side = body.size.minCoeff();
+    const double side = body.smaller_side();
     const double far = (now[i].position - impl_->start[i].position).norm()
                        + side * std::abs(now[i].angle - impl_->start[i].angle);
     if (far > moved_share * side) names.push_back(body.name);

@@ -37,14 +37,15 @@ constexpr int looks_per_piece = 4;
 Track::Track(const System& system, const MotionSettings& settings)
     : system_(&system),
       settings_(settings),
+      policy_(policy_of(settings)),
       only_steps_((system.rubs || system.bounces) && system.cubes > most_rubbing_cubes),
       events_(system, settings) {}
 
 void Track::begin_steps(const State& state, double t) {
   if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_);
-  const bool always = settings_.integrator == Integrator::rattle;
-  steps_->begin(state, always ? settings_.step : first_step * frame(),
-                always ? settings_.step : longest_step * frame());
+  const bool chosen = policy_.step > 0.0;
+  steps_->begin(state, chosen ? policy_.step : first_step * frame(),
+                chosen ? policy_.step : longest_step * frame());
   stepping_ = true;
   moving_.assign(state.size(), 0);
   clock_ = t;
@@ -73,11 +74,13 @@ void Track::start(const State& state,
   limits.touching = std::max(touching, limits.touching);
   events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
-  const bool always = settings_.integrator == Integrator::rattle;
   if (events_.at_rest()) return;
-  if (!(always || events_.wedged() || stepping.until > t)) return;
+  if (!(policy_.only_steps || events_.wedged() || stepping.until > t)) return;
   begin_steps(events_.state(), t);
-  until_ = always ? std::numeric_limits<double>::infinity() : std::max(stepping.until, t + frame());
+  const bool settles = system_->rubs || system_->bounces;
+  until_ = !policy_.only_steps ? std::max(stepping.until, t + frame())
+           : settles           ? t + longest_step * frame()
+                               : std::numeric_limits<double>::infinity();
 }
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
@@ -151,8 +154,7 @@ bool Track::leaves_overlap(const Audit& before) {
   const double share = std::max(overlap_share, rounding_times * rounding / scales_.length);
   if (book_.audit.max_overlap > share) return true;
   if (book_.audit.searches_given_up == before.searches_given_up) return false;
-  finder_.find(*system_, events_.state(), contacts_, 0.0);
-  return finder_.deepest().depth > share * finder_.deepest().scale;
+  return events_.overlap() > share;
 }
 
 double Track::frame() const { return scales_.time / frames_per_time; }
@@ -177,7 +179,7 @@ void Track::consider_events() {
 }
 
 long Track::affordable_events() const {
-  if (settings_.integrator == Integrator::event) return most_events_ever;
+  if (policy_.only_events) return most_events_ever;
   return std::clamp(most_events_and_cubes / std::max(1, system_->cubes), fewest_events,
                     patience_ > 1 ? most_events_again : most_events);
 }
@@ -194,7 +196,9 @@ void Track::hand_over(const State& state, double t) {
 void Track::step(double limit) {
   const std::size_t logged = book_.events.size();
   const State start = steps_->state();
-  const double end = steps_->advance(clock_, std::min(limit, until_), book_);
+  // Steps of a user's length are not cut where rest is looked for.
+  const double last = policy_.only_steps ? limit : std::min(limit, until_);
+  const double end = steps_->advance(clock_, last, book_);
   pieces_.push_back({MotionPiece::Kind::stepped,
                      clock_,
                      end - clock_,
@@ -209,13 +213,13 @@ void Track::step(double limit) {
 
 /// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
-  if (only_steps_) {
+  if (only_steps_ || policy_.only_steps) {
     until_ = (std::round(clock_ / frame()) + longest_step) * frame();
     stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_);
     return;
   }
   const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
-  const bool few = system_->cubes <= most_event_cubes || settings_.integrator == Integrator::event;
+  const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
   if (calm && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
     hand_back();
   } else {
@@ -256,12 +260,11 @@ std::vector<Contact> Track::loaded_at(double t) const {
 State Track::at(double t) {
   const std::ptrdiff_t k = piece_at(t);
   if (k < 0) return state();
-  const auto at = static_cast<std::size_t>(k);
-  const MotionPiece& piece = pieces_[at];
+  const MotionPiece& piece = pieces_[k];
   if (t <= piece.begin || piece.kind == MotionPiece::Kind::rest) return piece.start;
   if (piece.kind == MotionPiece::Kind::smooth) return events_.look(piece, t);
   if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
-  const State& next = at + 1 < pieces_.size() ? pieces_[at + 1].start : state();
+  const State& next = k + 1 < std::ssize(pieces_) ? pieces_[k + 1].start : state();
   return look_->at(piece.start, next, piece.length, (t - piece.begin) / piece.length,
                    *piece.record);
 }

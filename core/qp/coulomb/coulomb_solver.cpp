@@ -20,6 +20,10 @@ bool any_slides(const FrictionProgram& friction) {
                      [](const FrictionContact& c) { return c.slides != 0 && c.mu > 0.0; });
 }
 
+bool any_slips(const std::vector<ContactMode>& modes) {
+  return std::ranges::any_of(modes, [](ContactMode mode) { return slip_sign(mode) != 0.0; });
+}
+
 /// Whether x = 0 satisfies all rows, so that a solution exists. [Anitescu, Potra 1997]
 bool may_stand(const FrictionProgram& friction) {
   const QuadraticProgram& p = friction.program;
@@ -121,8 +125,14 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
     start(keys);
     const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
     if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
-  } else if (stages.relax(friction, result)) {
-    return true;
+  } else {
+    // What slides is lifted by the convex relaxation: there is no use in asking it again.
+    const bool slides = known && any_slips(stages.modes);
+    if (known) {
+      start(keys);
+      if (stages.follow_shortly(friction, result)) return true;
+    }
+    if (!slides && stages.relax(friction, result)) return true;
   }
   return insist(friction, result);
 }

@@ -17,6 +17,8 @@ constexpr int settling_factorisations = 40;
 constexpr double near_margin = 1e-9;
 constexpr double near_delta_fall = 0.1;
 constexpr int most_near_crossings = 100;
+constexpr double short_margin = 1e-6;
+constexpr int most_short_crossings = 50;
 constexpr int crossings_per_contact = 12;
 constexpr int most_crossings = 3000;
 constexpr int most_proximal_steps = 8;
@@ -95,6 +97,16 @@ void CoulombStages::find_modes() {
       modes[i] = slip_mode(-l.t);
     }
   }
+}
+
+/// From what is remembered, where few contacts have changed.
+bool CoulombStages::follow_shortly(const FrictionProgram& friction, CoulombResult& result) {
+  const std::vector<Pair> centre = point.l;
+  const ModePathOutcome outcome = mode_path_.run(
+      form_, modes, point, centre, 0,
+      {.delta = path_delta, .most_crossings = most_short_crossings, .margin = short_margin});
+  result.crossings += outcome.crossings;
+  return outcome.arrived && settle(friction, CoulombStage::newton, result);
 }
 
 bool CoulombStages::relax(const FrictionProgram& friction, CoulombResult& result) {

@@ -25,6 +25,7 @@ class CoulombStages {
   /// Each true if the result is within the tolerance.
   bool certificate(const FrictionProgram& friction, CoulombResult& result);
   bool newton(const FrictionProgram& friction, int most_factorisations, CoulombResult& result);
+  bool follow_shortly(const FrictionProgram& friction, CoulombResult& result);
   bool relax(const FrictionProgram& friction, CoulombResult& result);
   bool interior(const FrictionProgram& friction,
                 double spread,

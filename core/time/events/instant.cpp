@@ -1,8 +1,10 @@
 #include "core/time/events/instant.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/dynamics/impact.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/time/events/contact_changes.h"
 #include "core/time/events/corrections.h"
 
@@ -58,9 +60,41 @@ void add_impacts(const System& system,
   }
 }
 
+/// What the first rod of a cube joins it to: a body, or, where that is a place of the world, the rod.
+const std::string& joined_to(const System& system, const Island& island, int cube) {
+  for (const int number : island.rods) {
+    const Rod& rod = system.rods[number];
+    if (rod.i.body == cube) return end_name(system, rod, rod.j);
+    if (rod.j.body == cube) return end_name(system, rod, rod.i);
+  }
+  return system.body(cube).name;
+}
+
+/// Events of rods whose velocities had to jump.
+void add_jerks(const System& system,
+               const Island& island,
+               const State& before,
+               const Impact& hit,
+               double t,
+               Instant& now) {
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    const Rod& rod = system.rods[island.rods[k]];
+    if (!jerks(system, before, rod)) continue;
+    now.events.push_back({t, EventKind::impact, end_name(system, rod, rod.i),
+                          end_name(system, rod, rod.j), held_place(rod.i, before).p,
+                          std::abs(hit.after.rods[k])});
+  }
+}
+
 void add_rest(const System& system, const Island& island, int cube, double t, Instant& now) {
   const auto touching = std::ranges::find_if(
       island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
+  if (touching == island.contacts.end()) {
+    const Vec2 place = now.state[cube].position;
+    const std::string other = joined_to(system, island, cube);
+    now.events.push_back({t, EventKind::rest, system.body(cube).name, other, place, 0.0});
+    return;
+  }
   const int other = touching->on == cube ? touching->from : touching->on;
   now.events.push_back(
       {t, EventKind::rest, system.body(cube).name, system.body(other).name, touching->point, 0.0});
@@ -79,7 +113,6 @@ void stop(const System& system, const Island& island, double t, bool is_event, I
 /// Puts the closed contacts of an island into the modes.
 void close(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
   now.modes.wedged = now.modes.wedged || modes.wedged;
-  onto_closed(island, modes.closed, now.state, work);
   std::vector<Box> boxes;
   pose_boxes(*work.system, now.state, boxes);
   ContactSet& closed = now.modes.closed;
@@ -92,6 +125,13 @@ void close(const Island& island, const IslandModes& modes, Instant& now, Workspa
     touch.slips = modes.sides[k].slips;
     touch.anchor = place_along(*work.system, closed.contacts[touch.first]);
   }
+}
+
+/// Whether everything that touches stays closed and sticks, as after the last blow of a rocking block: openings of less
+/// than the slowest bounces are all that moves then, and closed at once.
+bool holds_still(const IslandModes& modes) {
+  return !modes.sides.empty() && std::ranges::all_of(modes.closed, [](char c) { return c != 0; })
+         && std::ranges::all_of(modes.sides, [](const SideMode& s) { return s.sticks; });
 }
 
 void happen_to(const Island& island,
@@ -112,6 +152,7 @@ void happen_to(const Island& island,
     const Impact hit = special ? impact(system, now.state, island, slow, work.friction)
                                : impact(system, now.state, island, work.dynamics);
     work.solves.add(hit.after);
+    add_jerks(system, island, now.state, hit, t, now);
     set_velocities(island, hit.after.twists, now.state);
     add_impacts(system, island, hit, t, EventKind::impact, now);
   }
@@ -126,7 +167,13 @@ void happen_to(const Island& island,
       add_impacts(system, island, hit, t, EventKind::jam, now);
       modes = find_modes(island, now.state, scales, true, work);
     }
-    close(island, modes, now, work);
+    onto_closed(island, modes.closed, now.state, work);
+    const ContactLimits after_last{limits.touching, slowest_bounce};
+    if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
+      stop(system, island, t, !rested && t > 0.0, now);
+    } else {
+      close(island, modes, now, work);
+    }
   }
 }
 

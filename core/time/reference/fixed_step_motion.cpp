@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/constraints/rod.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
+#include "core/time/policy.h"
 
 namespace wuerfel {
 namespace {
@@ -22,7 +24,8 @@ FixedStepMotion::FixedStepMotion(const System& system,
 }
 
 FixedStepMotion::Method FixedStepMotion::make_method() const {
-  if (settings_.integrator == Integrator::moreau) return Moreau(*system_, settings_);
+  if (policy_of(settings_).method == MotionPolicy::Method::moreau)
+    return Moreau(*system_, settings_);
   return Algorithm1(*system_, settings_);
 }
 
@@ -63,10 +66,13 @@ const State& FixedStepMotion::state() {
 
 void FixedStepMotion::note_rods() {
   for (std::size_t i = 0; i < grid_.state.size(); ++i) {
+    if (system_->bodies[i].kind == BodyKind::point) continue;
     const Vec2& size = system_->bodies[i].size;
     const double error = largest_rod_error(points_of(grid_.state[i], size), size);
     book_.audit.max_rod_error = std::max(book_.audit.max_rod_error, error);
   }
+  book_.audit.max_rod_error =
+      std::max(book_.audit.max_rod_error, largest_rod_error(*system_, grid_.state));
 }
 
 }  // namespace wuerfel
