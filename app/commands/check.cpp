@@ -135,7 +135,7 @@ std::string moving_at_start(const Scene& scene) {
 
 // The first part that fails, if any does alone.
 std::string cause_text(const Scene& scene, const MotionSettings& motion) {
-  const StillScene still = still_scene(scene, motion);
+  const StillScene still = stopped_scene(scene, motion);
   const std::optional<Cause> cause = first_cause(still);
   return cause ? cause_sentence(still, *cause, Language::en) + "\n" : "";
 }

@@ -94,7 +94,7 @@ StaticsAnswer::StaticsAnswer(const Scene& scene,
     notes.add("--margin and --ranges are of scenes in which nothing moves yet: this one moves");
     return;
   }
-  still_ = still_scene(scene, settings);
+  still_ = stopped_scene(scene, settings);
   if (request.margin) {
     request_ = *request.margin;
     request_.cubes = cubes;

@@ -183,7 +183,7 @@ Explanation explain(const Scene& scene, const MotionSettings& settings) {
   Explanation e;
   e.check = check(scene, settings);
   if (e.check.verdict == Verdict::moves) return e;
-  e.still = still_scene(scene, settings);
+  e.still = stopped_scene(scene, settings);
   if (e.check.verdict != Verdict::stands) {
     e.causes = find_causes(*e.still);
     e.fixes = find_fixes(*e.still, settings, e.causes);

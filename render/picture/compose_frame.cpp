@@ -149,7 +149,9 @@ DrawList compose_frame(const Snapshot& snapshot,
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
   if (parts.has(Layer::contacts)) part("contacts", internal::add_contacts);
   if (parts.has(Layer::points)) part("points", internal::add_points);
-  if (parts.has(Layer::hud)) part("hud", internal::add_hud);
+  if (snapshot.reason) part("reason", internal::add_reason);
+  if (snapshot.reason && parts.has(Layer::hud)) part("words", internal::add_reason_text);
+  if (!snapshot.reason && parts.has(Layer::hud)) part("hud", internal::add_hud);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
   if (parts.has(Layer::names)) add_names(parts);
