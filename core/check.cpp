@@ -13,40 +13,6 @@
 namespace wuerfel {
 namespace {
 
-/// Shares of g (design, "Verdict"): below the first a cube stands, above the second it falls.
-constexpr double stands_below = 1e-10;
-constexpr double falls_above = 1e-9;
-
-/// The largest |a| + side |alpha| of any cube, as a share of g, or of the scale in its place.
-double largest_share(const System& system, const State& state, const std::vector<Twist>& a) {
-  double e = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    e = std::max(e, a[i].linear.norm() + system.bodies[i].size.minCoeff() * std::abs(a[i].angular));
-  }
-  const double g = system.gravity.norm();
-  return e / (g > 0.0 ? g : scales_of(system, state).gravity);
-}
-
-/// The most that an island at rest which has no equilibrium moves in its certificate, as a share of
-/// g.
-double largest_unrest(const InstantForces& found) {
-  double e = 0.0;
-  for (const IslandForces& of : found.islands)
-    if (of.friction && !of.friction->equilibrium) e = std::max(e, of.friction->unrest);
-  return e;
-}
-
-Verdict judge(const System& system, const State& state, const InstantForces& found) {
-  const bool moves = std::ranges::any_of(
-      state, [](const BodyState& s) { return !s.velocity.isZero(0.0) || s.spin != 0.0; });
-  if (moves) return Verdict::moves;
-  if (!found.solved) return Verdict::undecided;
-  const double e =
-      std::max(largest_share(system, state, found.accelerations), largest_unrest(found));
-  if (e <= stands_below) return Verdict::stands;
-  return e >= falls_above ? Verdict::falls : Verdict::undecided;
-}
-
 void add_contact_forces(const System& system, const IslandForces& of, Check& check) {
   for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
     const Contact& c = of.island.contacts[k];
@@ -114,20 +80,6 @@ void add_certificate(const System& system, const IslandForces& of, Check& check)
 }
 
 }  // namespace
-
-std::string_view to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::stands:
-      return "stands";
-    case Verdict::falls:
-      return "falls";
-    case Verdict::moves:
-      return "moves";
-    case Verdict::undecided:
-      return "undecided";
-  }
-  return "?";
-}
 
 Check check(const Scene& scene, const MotionSettings& settings) {
   const System system = make_system(scene);

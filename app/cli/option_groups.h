@@ -29,6 +29,7 @@ void add_choice(Options& options,
   options.single(name, "NAME", help, [name, &value](const std::string& text) {
     value = parse_choice<Enum>(name, text);
   });
+  options.offer(name, choices<Enum>());
 }
 
 /// SCENE and --set.

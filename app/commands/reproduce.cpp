@@ -38,7 +38,7 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   Options options("", "");
   add_picture_options(options, made_with.picture);
   add_motion_options(options, made_with.motion);
-  add_rate_options(options, made_with.trail_rate);
+  add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
   options.parse_line(text);
   return made_with;

@@ -59,7 +59,8 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   // Simulate from one instant that somebody wants to see to the next.
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
-  const MotionSource source{scene, asked.motion, plan.instants, plan.request, stop};
+  const MotionSource source{scene, asked.motion, plan.instants, plan.request, plan.back, stop};
+  FrameTaker taker(plan.request, plan.back);
   Film film(asked.picture, asked.rate, source, pictures);
   std::vector<Sample> samples;
   double worst_force = 0.0;  // residual
@@ -70,12 +71,14 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
     simulation.advance_to(instant.t);
     progress.reached(instant.t);
     if (instant.sample) samples.push_back({instant.t, simulation.states()});
-    if (!instant.frame) continue;
-    Snapshot snapshot = simulation.snapshot(plan.request);
+    std::optional<Snapshot> snapshot = taker.take(simulation, instant);
+    if (!snapshot) continue;
     tables.add_states(instant.t, scene, simulation.states());
-    tables.add_forces(snapshot);
-    if (!asked.forces.empty()) worst_force = std::max(worst_force, snapshot.force_residual);
-    if (!pictures.empty()) film.add(std::move(snapshot));
+    tables.add_forces(*snapshot);
+    if (!asked.forces.empty()) worst_force = std::max(worst_force, snapshot->force_residual);
+    // What only a table asked for is not seen.
+    if (!asked.picture.layers.has(Layer::contact_forces)) snapshot->forces.clear();
+    if (!pictures.empty()) film.add(std::move(*snapshot));
   }
   progress.end();
 

@@ -43,6 +43,7 @@ struct RunPlan {
   double end = 0.0;               ///< s
   std::vector<Instant> instants;  ///< when to look
   SnapshotRequest request;        ///< and at what
+  LookBack back;                  ///< and how far back pictures do
 };
 
 /// Throws UsageError where the options do not fit the scene.

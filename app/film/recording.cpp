@@ -19,12 +19,15 @@ std::size_t bytes_of(const std::vector<T>& list) {
 Audit MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
   Simulation simulation(scene, motion);
   simulation.set_pulse([this] { stop.check(); });
+  FrameTaker taker(request, back);
+  std::optional<Audit> audit;
   for (const Instant& instant : instants) {
     stop.check();
     simulation.advance_to(instant.t);
-    if (instant.frame) show(simulation.snapshot(request));
+    if (const std::optional<Snapshot> snapshot = taker.take(simulation, instant)) show(*snapshot);
+    if (instant.sample) audit = simulation.audit();
   }
-  return simulation.audit();
+  return audit.value_or(simulation.audit());
 }
 
 void MotionRange::include(const Snapshot& snapshot) {
@@ -33,11 +36,22 @@ void MotionRange::include(const Snapshot& snapshot) {
     fastest = std::max(fastest, box.velocity.norm());
   for (const SnapshotRod& rod : snapshot.rods)
     largest_rod = std::max(largest_rod, std::abs(rod.tension));
+  for (const SnapshotBox& box : snapshot.boxes)
+    largest_acceleration = std::max(largest_acceleration, box.acceleration.norm());
+  gravity = snapshot.gravity.norm();
+  largest_load = std::max(largest_load, largest_value(snapshot, ColorBy::load));
+  if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
+  for (const SnapshotJoint& joint : snapshot.joints)
+    if (!joint.unique) seen.insert(LegendEntry::several);
+  for (const SnapshotForce& force : snapshot.forces) {
+    if (!force.unique) seen.insert(LegendEntry::several);
+    if (force.kind == ForceKind::friction) seen.insert(LegendEntry::friction);
+  }
 }
 
 std::size_t Recording::Scenery::bytes() const {
-  return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(rods) + bytes_of(points)
-         + bytes_of(contacts) + bytes_of(sides);
+  return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(joints) + bytes_of(impacts)
+         + bytes_of(rods) + bytes_of(points) + bytes_of(contacts) + bytes_of(sides);
 }
 
 void Recording::add(Snapshot snapshot) {
@@ -45,13 +59,16 @@ void Recording::add(Snapshot snapshot) {
   if (!kept()) return;
   Scenery scenery{{},
                   std::move(snapshot.forces),
+                  std::move(snapshot.joints),
+                  std::move(snapshot.impacts),
                   std::move(snapshot.rods),
                   std::move(snapshot.points),
                   std::move(snapshot.contacts),
                   std::move(snapshot.sides)};
   scenery.boxes.reserve(snapshot.boxes.size());
   for (const SnapshotBox& box : snapshot.boxes)
-    scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin});
+    scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin, box.acceleration,
+                             box.angular_acceleration});
   Frame frame{snapshot.time, snapshot.energy, nullptr};
   bytes_ += sizeof frame;
   if (!frames_.empty() && *frames_.back().scenery == scenery) {
@@ -78,10 +95,14 @@ void Recording::for_each(const std::function<void(const Snapshot&)>& show) const
     for (std::size_t i = 0; i < scenery.boxes.size(); ++i) {
       const Pose& pose = scenery.boxes[i];
       SnapshotBox& box = snapshot.boxes[i];
-      std::tie(box.center, box.velocity, box.angle, box.spin) =
-          std::tie(pose.center, pose.velocity, pose.angle, pose.spin);
+      std::tie(box.center, box.velocity, box.angle, box.spin, box.acceleration,
+               box.angular_acceleration) =
+          std::tie(pose.center, pose.velocity, pose.angle, pose.spin, pose.acceleration,
+                   pose.angular_acceleration);
     }
     snapshot.forces = scenery.forces;
+    snapshot.joints = scenery.joints;
+    snapshot.impacts = scenery.impacts;
     snapshot.rods = scenery.rods;
     snapshot.points = scenery.points;
     snapshot.contacts = scenery.contacts;

@@ -10,6 +10,7 @@
 namespace wuerfel {
 
 struct IslandSolution;
+struct Solves;
 
 enum class EventKind { impact, touch, release, slide_off, stick, slip, jam, rest };
 std::string_view to_string(EventKind kind);
@@ -90,7 +91,10 @@ struct Bookkeeping {
 /// Adds what was booked of a part, or of a stretch, of the motion.
 void add(const Bookkeeping& more, Bookkeeping& book);
 
-/// Books a program that was solved, and how well.
+/// Books programs that were solved, and how well; or only what they cost, where the answer is judged
+/// by what it leads to.
+void keep_cost(const Solves& solves, Bookkeeping& book);
+void keep_book(const Solves& solves, Bookkeeping& book);
 void keep_book(const IslandSolution& solution, Bookkeeping& book);
 
 }  // namespace wuerfel

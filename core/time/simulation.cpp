@@ -5,6 +5,7 @@
 
 #include "core/dynamics/forces_at.h"
 #include "core/time/island_motion.h"
+#include "core/time/policy.h"
 #include "core/time/reference/fixed_step_motion.h"
 #include "core/time/start_state.h"
 #include "core/time/take_snapshot.h"
@@ -18,17 +19,9 @@ constexpr double moved_share = 1e-9;
 std::unique_ptr<Motion> make_motion(const System& system,
                                     const MotionSettings& settings,
                                     const State& start) {
-  switch (settings.integrator) {
-    case Integrator::euler:
-    case Integrator::symplectic:
-    case Integrator::moreau:
-      return std::make_unique<FixedStepMotion>(system, settings, start);
-    case Integrator::automatic:
-    case Integrator::event:
-    case Integrator::rattle:
-      break;
-  }
-  return std::make_unique<IslandMotion>(system, settings, start);
+  if (policy_of(settings).method == MotionPolicy::Method::groups)
+    return std::make_unique<IslandMotion>(system, settings, start);
+  return std::make_unique<FixedStepMotion>(system, settings, start);
 }
 
 void add(const LookCost& more, LookCost& cost) {
@@ -98,6 +91,7 @@ Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
   Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, impl_->motion->state(),
                                     impl_->look(detail_of(request)), request);
   snapshot.time = time();
+  snapshot.energy_start = impl_->energy_start;
   return snapshot;
 }
 

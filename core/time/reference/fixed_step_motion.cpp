@@ -4,6 +4,7 @@
 
 #include "core/constraints/rod.h"
 #include "core/model/points.h"
+#include "core/time/policy.h"
 
 namespace wuerfel {
 namespace {
@@ -22,7 +23,8 @@ FixedStepMotion::FixedStepMotion(const System& system,
 }
 
 FixedStepMotion::Method FixedStepMotion::make_method() const {
-  if (settings_.integrator == Integrator::moreau) return Moreau(*system_, settings_);
+  if (policy_of(settings_).method == MotionPolicy::Method::moreau)
+    return Moreau(*system_, settings_);
   return Algorithm1(*system_, settings_);
 }
 
