@@ -36,14 +36,11 @@ struct PlanOptions {
 };
 
 void say_counts(const PlanCounts& counts) {
-  const Rejected& no = counts.rejected;
   std::string splits;
   for (const auto& [name, count] : counts.splits)
     splits += fmt::format("{}{} {}", splits.empty() ? "" : ", ", name, count);
-  say(fmt::format(
-      "wuerfel: {} cases of {} draws ({}); rejected: {} overlapping, {} by verdict, {} over "
-      "quota, {} duplicates\n",
-      counts.cases, counts.drawn, splits, no.overlapping, no.verdict, no.over_quota, no.duplicate));
+  say(fmt::format("wuerfel: {} cases of {} draws ({}); {}\n", counts.cases, counts.drawn, splits,
+                  describe(counts.rejected)));
 }
 
 SceneText sweep_text(const std::string& source) {

@@ -76,7 +76,12 @@ std::string files_text(const SampleFiles& files) {
         "- `ID.first.png`: the start, {}x{}; its view is that of the masks and the film\n",
         files.size.width, files.size.height);
   if (files.instance_mask)
-    text += "- `ID.instance.png`: grey; number of the body from 1, 0 is air and ground\n";
+    text += "- `ID.instance.png`: grey; number of the cube from 1, 0 is air and ground\n";
+  if (files.violation_mask)
+    text +=
+        "- `ID.violation.png`: grey; 1 the smallest part that falls by itself, 2 the cubes it "
+        "presses "
+        "on, 0 all else\n";
   if (files.states)
     text += fmt::format(
         "- `ID.states.npy`: float64 (times, bodies, 6): x, y, angle, their rates; SI "
@@ -90,7 +95,6 @@ std::string files_text(const SampleFiles& files) {
 
 std::string card(const Plan& plan, const LabelTable& labels, const DatasetCounts& counts) {
   const Sweep& sweep = plan.sweep();
-  const Rejected& no = plan.counts().rejected;
   std::string text = fmt::format("# {}\n\n", sweep.name);
   if (!sweep.description.empty()) text += sweep.description + "\n\n";
   text += fmt::format(
@@ -100,11 +104,9 @@ std::string card(const Plan& plan, const LabelTable& labels, const DatasetCounts
   text += "\n| split | samples | verdicts |\n|---|---|---|\n" + split_rows(labels);
   text += "\n| varies | values |\n|---|---|\n" + column_rows(labels, "values");
   text += "\n| label | values |\n|---|---|\n" + column_rows(labels, "labels");
-  text += fmt::format(
-      "\n{} candidates were drawn: {} overlapped, {} had a verdict that is rejected, {} one of "
-      "which "
-      "there were enough, {} were there already. {} cases failed (failed.jsonl).\n",
-      plan.counts().drawn, no.overlapping, no.verdict, no.over_quota, no.duplicate, counts.failed);
+  text += fmt::format("\n{} candidates were drawn: {}. {} cases failed{}.\n", plan.counts().drawn,
+                      describe(plan.counts().rejected), counts.failed,
+                      counts.failed > 0 ? " (failed.jsonl)" : "");
   text += "\nEach sample, in the archives `SPLIT-NNNNNN.tar` (WebDataset):\n\n"
           + files_text(sweep.files);
   text +=

@@ -8,6 +8,12 @@ std::string_view to_string(CheckColumn column) {
       return "verdict";
     case CheckColumn::contacts:
       return "contacts";
+    case CheckColumn::margin:
+      return "margin";
+    case CheckColumn::weakest:
+      return "weakest";
+    case CheckColumn::causes:
+      return "causes";
   }
   return "?";
 }

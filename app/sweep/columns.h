@@ -14,6 +14,11 @@ namespace wuerfel {
 enum class CheckColumn {
   verdict,   ///< stands, falls, moves or undecided
   contacts,  ///< how many there are
+  /// Least shift of a cube's weight that changes the verdict, as a share of its smaller side;
+  /// negative where the scene falls (`check --margin shift`).
+  margin,
+  weakest,  ///< the cube of that shift
+  causes,   ///< the smallest part that falls by itself: its cubes, joined by +
 };
 
 /// Of a run to the end.

@@ -42,7 +42,7 @@ struct RankVariables {
   const char* size;
 };
 constexpr std::array rank_variables{
-    RankVariables{"SLURM_PROCID", "SLURM_NTASKS"},
+    RankVariables{"SLURM_PROCID", "SLURM_STEP_NUM_TASKS"},
     RankVariables{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
     RankVariables{"PMI_RANK", "PMI_SIZE"},
 };

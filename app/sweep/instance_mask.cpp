@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/geometry/trig.h"
 
@@ -54,15 +55,23 @@ void fill(const Footprint& box, const View& view, std::uint16_t number, NumberIm
 
 }  // namespace
 
-NumberImage instance_mask(const Snapshot& snapshot, const View& view) {
+NumberImage number_mask(const Snapshot& snapshot,
+                        const View& view,
+                        std::span<const std::uint16_t> numbers) {
   NumberImage mask{view.width, view.height, {}};
   mask.values.assign(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height),
                      0);
-  std::uint16_t number = 0;
+  auto number = numbers.begin();
   for (const SnapshotBox& box : snapshot.boxes) {
-    if (!box.fixed) fill(Footprint(box), view, ++number, mask);
+    if (!box.fixed) fill(Footprint(box), view, *number++, mask);
   }
   return mask;
+}
+
+NumberImage instance_mask(const Snapshot& snapshot, const View& view) {
+  std::vector<std::uint16_t> numbers(snapshot.boxes.size());
+  std::iota(numbers.begin(), numbers.end(), std::uint16_t{1});
+  return number_mask(snapshot, view, numbers);
 }
 
 }  // namespace wuerfel

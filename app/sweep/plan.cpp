@@ -43,7 +43,7 @@ PlanCounts counts_of(const Json& json) {
   counts.cases = json.at("cases");
   counts.drawn = json.at("drawn");
   const Json& no = json.at("rejected");
-  counts.rejected = {no.at("overlapping"), no.at("verdict"), no.at("over_quota"),
+  counts.rejected = {no.at("overlapping"), no.at("verdict"), no.at("margin"), no.at("over_quota"),
                      no.at("duplicate")};
   counts.splits = json.at("splits").get<std::map<std::string, long>>();
   return counts;
@@ -60,6 +60,13 @@ std::string plan_text(const std::string& folder) {
 }
 
 }  // namespace
+
+std::string describe(const Rejected& no) {
+  return fmt::format(
+      "{} overlapped, {} had a verdict that is rejected, {} were too near to the edge, {} had a "
+      "verdict of which there were enough, {} were there already",
+      no.overlapping, no.verdict, no.margin, no.over_quota, no.duplicate);
+}
 
 SweepText::SweepText(SceneText sweep_file,
                      const std::optional<SceneText>& scene,

@@ -18,9 +18,13 @@ namespace wuerfel {
 struct Rejected {
   long overlapping = 0;
   long verdict = 0;     ///< one of those that are rejected
+  long margin = 0;      ///< nearer to the edge than wanted
   long over_quota = 0;  ///< there were enough of that verdict
   long duplicate = 0;   ///< the scene of an earlier case
 };
+
+/// "3 overlapped, 0 had a verdict that is rejected, ..."
+std::string describe(const Rejected& rejected);
 
 struct PlanCounts {
   long cases = 0;

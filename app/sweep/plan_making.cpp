@@ -1,6 +1,7 @@
 // Draws the cases of a plan.
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <unordered_set>
@@ -16,7 +17,7 @@
 #include "app/sweep/new_folder.h"
 #include "app/sweep/plan.h"
 #include "app/sweep/plan_files.h"
-#include "core/check.h"
+#include "app/sweep/statics.h"
 #include "core/scene/scene_parser.h"
 #include "core/work_in_order.h"
 
@@ -69,13 +70,23 @@ class Judge {
       ++found.rejected.overlapping;
       return;
     }
+    Statics statics(*scene);
     if (!sweep_.reject.verdicts.empty() || !sweep_.balance.empty())
-      found.verdict = check(*scene, {}).verdict;
+      found.verdict = statics.check().verdict;
     if (found.verdict && std::ranges::count(sweep_.reject.verdicts, *found.verdict) > 0) {
       ++found.rejected.verdict;
       return;
     }
+    if (is_near_the_edge(statics)) {
+      ++found.rejected.margin;
+      return;
+    }
     found.id = case_id(sweep_, *scene);
+  }
+
+  [[nodiscard]] bool is_near_the_edge(Statics& statics) const {
+    if (!sweep_.reject.margin_below || !statics.nearest()) return false;
+    return std::abs(statics.nearest()->margin) < *sweep_.reject.margin_below;
   }
 
   [[nodiscard]] std::optional<Scene> scene_or_overlap(
@@ -106,6 +117,7 @@ class Admission {
     counts_.drawn += candidate.drawn;
     counts_.rejected.overlapping += candidate.rejected.overlapping;
     counts_.rejected.verdict += candidate.rejected.verdict;
+    counts_.rejected.margin += candidate.rejected.margin;
     const bool taken = !candidate.id.empty() && is_wanted(candidate);
     drought_ = taken ? 0 : drought_ + 1;
     if (drought_ == longest_drought) give_up();
@@ -133,14 +145,9 @@ class Admission {
   }
 
   [[noreturn]] void give_up() const {
-    const Rejected& no = counts_.rejected;
-    throw UsageError(
-        fmt::format("only {} of {} cases can be found: none of the last {} draws was one (so far "
-                    "{} overlapped, "
-                    "{} had a verdict that is rejected, {} one of which there are enough, {} were "
-                    "there already)",
-                    counts_.cases, sweep_.cases, longest_drought, no.overlapping, no.verdict,
-                    no.over_quota, no.duplicate));
+    throw UsageError(fmt::format(
+        "only {} of {} cases can be found: none of the last {} draws was one (so far {})",
+        counts_.cases, sweep_.cases, longest_drought, describe(counts_.rejected)));
   }
 
   const Sweep& sweep_;
@@ -184,6 +191,7 @@ std::string plan_json(const SweepText& text,
       {"rejected",
        {{"overlapping", no.overlapping},
         {"verdict", no.verdict},
+        {"margin", no.margin},
         {"over_quota", no.over_quota},
         {"duplicate", no.duplicate}}},
       {"splits", counts.splits},

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/sweep/sample_run.h"
-#include "core/check.h"
+#include "app/sweep/statics.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
@@ -12,25 +12,6 @@ namespace wuerfel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Label check_label(CheckColumn column, const Check& answer) {
-  switch (column) {
-    case CheckColumn::verdict:
-      return std::string(to_string(answer.verdict));
-    case CheckColumn::contacts:
-      return static_cast<std::int64_t>(answer.contacts.size());
-  }
-  return {};
-}
-
-LabelRow check_labels(const std::vector<CheckColumn>& columns, const Scene& scene) {
-  if (columns.empty()) return {};
-  const Check answer = check(scene, {});
-  LabelRow row;
-  for (const CheckColumn column : columns)
-    row.emplace_back(to_string(column), check_label(column, answer));
-  return row;
-}
 
 Json json_of(const Label& label) {
   return std::visit(
@@ -74,9 +55,11 @@ void SampleMaker::prepare() {
 
 std::vector<TapeFile> SampleMaker::files(const Case& one) {
   const Scene scene = scene_of(sweep_, one.values);
-  LabelRow row = check_labels(sweep_.labels.check, scene);
+  Statics statics(scene);
+  LabelRow row = statics.labels(sweep_.labels.check);
   SampleRun run(sweep_, scene, stop_);
   if (sweep_.files.pictures()) run.draw_with(renderers_.mine());
+  if (sweep_.files.violation_mask) run.mark(statics.violations());
   run.go();
   for (auto& label : run.labels())
     row.push_back(std::move(label));

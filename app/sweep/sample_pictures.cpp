@@ -27,6 +27,8 @@ PictureOptions picture_options(const SampleFiles& files) {
   options.size = files.size;
   options.layers = files.layers;
   options.theme = files.theme;
+  options.fit = Fit::instant;
+  options.average = 0.0;
   options.camera.zoom = wider;
   if (!files.view) return options;
   options.camera.kind = Camera::Kind::fixed;
@@ -69,8 +71,13 @@ std::string SamplePictures::frame(const Snapshot& snapshot) {
   return {png.begin(), png.end()};
 }
 
-std::string SamplePictures::mask(const Snapshot& snapshot) const {
+std::string SamplePictures::instances(const Snapshot& snapshot) const {
   return gray_png(instance_mask(snapshot, view_of(fitted_, snapshot)));
+}
+
+std::string SamplePictures::numbered(const Snapshot& snapshot,
+                                     std::span<const std::uint16_t> numbers) const {
+  return gray_png(number_mask(snapshot, view_of(fitted_, snapshot), numbers));
 }
 
 }  // namespace wuerfel

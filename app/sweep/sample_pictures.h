@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -40,8 +41,12 @@ class SamplePictures {
 
   /// A PNG file that carries its origin, as those of `figure`.
   [[nodiscard]] std::string frame(const Snapshot& snapshot);
-  /// A PNG file of numbers: see instance_mask.
-  [[nodiscard]] std::string mask(const Snapshot& snapshot) const;
+  /// PNG files of numbers: see instance_mask.h.
+  /// @{
+  [[nodiscard]] std::string instances(const Snapshot& snapshot) const;
+  [[nodiscard]] std::string numbered(const Snapshot& snapshot,
+                                     std::span<const std::uint16_t> numbers) const;
+  /// @}
   /// The pixels of a film's frame, valid up to the next call.
   const Image& pixels(const Snapshot& snapshot);
 

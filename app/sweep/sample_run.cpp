@@ -36,7 +36,10 @@ double highest_corner(const Scene& scene, const State& state) {
 }  // namespace
 
 SampleRun::SampleRun(const Sweep& sweep, const Scene& scene, const StopSignal& stop)
-    : sweep_(sweep), scene_(scene), stop_(stop) {}
+    : sweep_(sweep),
+      scene_(scene),
+      stop_(stop),
+      request_(snapshot_request(picture_options(sweep.files), scene.cubes.size())) {}
 
 std::map<double, SampleRun::Look> SampleRun::looks() const {
   const double end = sweep_.labels.until.value_or(scene_.duration);
@@ -55,11 +58,13 @@ std::map<double, SampleRun::Look> SampleRun::looks() const {
 }
 
 void SampleRun::draw_first(const Simulation& simulation) {
-  const Snapshot first = simulation.snapshot(snapshot_request(sweep_.files.layers));
-  const MotionSource source{scene_, {}, {}, {}, stop_};
+  const Snapshot first = simulation.snapshot(request_);
+  const MotionSource source{scene_, {}, {}, request_, {}, stop_};
   pictures_.emplace(source, sweep_.files, first, *renderer_);
   if (sweep_.files.first_frame) files_.push_back({".first.png", pictures_->frame(first)});
-  if (sweep_.files.instance_mask) files_.push_back({".instance.png", pictures_->mask(first)});
+  if (sweep_.files.instance_mask) files_.push_back({".instance.png", pictures_->instances(first)});
+  if (sweep_.files.violation_mask)
+    files_.push_back({".violation.png", pictures_->numbered(first, violations_)});
   if (sweep_.files.video) film_ = std::make_unique<SampleFilm>(sweep_.files, stop_);
 }
 
@@ -78,8 +83,7 @@ void SampleRun::go() {
 
 void SampleRun::look(const Simulation& simulation, double t, const Look& look) {
   if (look.labels && !time_of_fall_) watch_fall(t, simulation.states());
-  if (look.film)
-    film_->add(pictures_->pixels(simulation.snapshot(snapshot_request(sweep_.files.layers))));
+  if (look.film) film_->add(pictures_->pixels(simulation.snapshot(request_)));
   if (!look.states) return;
   for (const BodyState& body : simulation.states()) {
     states_.insert(states_.end(), {body.position.x(), body.position.y(), body.angle,

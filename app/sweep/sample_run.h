@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/stop_signal.h"
@@ -24,6 +25,8 @@ class SampleRun {
 
   /// Needed before `go` where pictures are wanted.
   void draw_with(Renderer& renderer) { renderer_ = &renderer; }
+  /// Needed before `go` where a mask of violations is wanted: a number per cube.
+  void mark(std::vector<std::uint16_t> violations) { violations_ = std::move(violations); }
   /// Simulates as far as anybody wants to know. Throws SampleError where that is not as exact as
   /// the tolerance promises.
   void go();
@@ -49,7 +52,9 @@ class SampleRun {
   const Sweep& sweep_;
   const Scene& scene_;
   const StopSignal& stop_;
+  SnapshotRequest request_;
   Renderer* renderer_ = nullptr;
+  std::vector<std::uint16_t> violations_;
   std::optional<SamplePictures> pictures_;
   std::unique_ptr<SampleFilm> film_;
   std::vector<TapeFile> files_;

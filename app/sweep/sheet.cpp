@@ -4,7 +4,7 @@
 
 #include "app/film/recording.h"
 #include "app/sweep/sample_pictures.h"
-#include "core/check.h"
+#include "app/sweep/statics.h"
 #include "core/scene/scene_parser.h"
 #include "render/picture/compose_frame.h"
 
@@ -17,13 +17,22 @@ DrawList first_frame(const Scene& scene,
                      const StopSignal& stop,
                      Font& font) {
   const Simulation simulation(scene, {});
-  const Snapshot first = simulation.snapshot(snapshot_request(options.layers));
-  const MotionSource source{scene, {}, {}, {}, stop};
+  const SnapshotRequest request = snapshot_request(options, scene.cubes.size());
+  const Snapshot first = simulation.snapshot(request);
+  const MotionSource source{scene, {}, {}, request, {}, stop};
   Recording motion(source);
   motion.add(first);
   const PictureOptions fitted = fit_to_motion(options, motion);
   return compose_frame(first, view_of(fitted, first), make_style(fitted.theme),
                        frame_options(fitted), font);
+}
+
+// "stands 12.5 %": the verdict, and how nearly.
+std::string caption(const Scene& scene) {
+  Statics statics(scene);
+  const std::string verdict(to_string(statics.check().verdict));
+  if (!statics.nearest()) return verdict;
+  return fmt::format("{} {:.1f} %", verdict, 100.0 * statics.nearest()->margin);
 }
 
 std::vector<Case> spread_cases(const Plan& plan, long wanted) {
@@ -54,7 +63,7 @@ Still contact_sheet(const Plan& plan,
     const Scene scene = scene_of(plan.sweep(), one.values);
     const CellPlace place = cell_place(layout, captions.size());
     sheet.cells.push_back({first_frame(scene, options, stop, font), place.x, place.y});
-    captions.push_back(fmt::format("{}", to_string(check(scene, {}).verdict)));
+    captions.push_back(caption(scene));
   }
   sheet.page = strip_page(captions, layout, make_style(options.theme));
   return sheet;

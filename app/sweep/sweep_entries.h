@@ -72,7 +72,7 @@ void read(const Spot& spot, const Limits& /*limits*/, WordList<Enum>& target) {
 }
 
 /// The pictures that exist besides the first frame.
-enum class Mask { instance };
+enum class Mask { instance, violation };
 std::string_view to_string(Mask mask);
 
 struct VaryEntry {
@@ -90,6 +90,7 @@ struct VaryEntry {
 
 struct RejectEntry {
   bool overlapping = true;
+  std::optional<double> margin_below;
   WordList<Verdict> verdicts;
 };
 
@@ -181,6 +182,8 @@ void describe(Keys& keys, VaryEntry& vary) {
 template <class Keys>
 void describe(Keys& keys, RejectEntry& reject) {
   keys.value("overlapping", reject.overlapping, "Draw cases in which bodies overlap again");
+  keys.value("margin_below", reject.margin_below, limits::share,
+             "Draw knife edges again: a margin, either way, below this share of a cube's side");
   keys.value("verdicts", reject.verdicts, "Draw cases with these verdicts again");
 }
 
@@ -222,7 +225,8 @@ void describe(Keys& keys, LabelsEntry& labels) {
 template <class Keys>
 void describe(Keys& keys, OutputEntry& output) {
   keys.value("first_frame", output.first_frame, "A picture of the start");
-  keys.value("masks", output.masks, limits::any, "instance: which body each pixel shows");
+  keys.value("masks", output.masks, limits::any,
+             "instance: which cube each pixel shows; violation: what falls by itself and on what");
   keys.value("video", output.video, limits::frame_rate, "A film, or { fps = .. }");
   keys.value("states", output.states, limits::frame_rate, "A table of states, or { fps = .. }");
   keys.value("size", output.size, limits::pixels, "[width, height] of the pictures");

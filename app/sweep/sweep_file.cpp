@@ -44,7 +44,8 @@ class SweepReader {
     sweep_.license = entries_.license;
     sweep_.seed = static_cast<std::uint64_t>(entries_.seed);
     sweep_.sampling = entries_.sampling;
-    sweep_.reject = {entries_.reject.overlapping, entries_.reject.verdicts.words};
+    sweep_.reject = {entries_.reject.overlapping, entries_.reject.verdicts.words,
+                     entries_.reject.margin_below};
     read_scene();
     for (const VaryEntry& vary : entries_.vary)
       read_variable(vary);
@@ -228,7 +229,8 @@ class SweepReader {
     const OutputEntry& output = entries_.output;
     SampleFiles& files = sweep_.files;
     files.first_frame = output.first_frame;
-    files.instance_mask = !output.masks.words.empty();
+    files.instance_mask = std::ranges::count(output.masks.words, Mask::instance) > 0;
+    files.violation_mask = std::ranges::count(output.masks.words, Mask::violation) > 0;
     files.video = output.video.fps;
     files.states = output.states.fps;
     files.size = output.size;

@@ -35,6 +35,7 @@ struct Variable {
 struct Rejection {
   bool overlapping = true;  ///< else an error
   std::vector<Verdict> verdicts;
+  std::optional<double> margin_below;  ///< either way
 };
 
 /// How many cases of a verdict there shall be.
@@ -65,6 +66,7 @@ struct Labels {
 struct SampleFiles {
   bool first_frame = false;
   bool instance_mask = false;
+  bool violation_mask = false;
   std::optional<double> video;   ///< frames per second
   std::optional<double> states;  ///< rows per second
   PixelSize size{256, 256};
@@ -73,7 +75,9 @@ struct SampleFiles {
   std::optional<std::vector<double>> view;  ///< x, y, width in m; none: fits the first frame
   double shard_mb = 256.0;
 
-  [[nodiscard]] bool pictures() const { return first_frame || instance_mask || video; }
+  [[nodiscard]] bool pictures() const {
+    return first_frame || instance_mask || violation_mask || video;
+  }
 };
 
 struct Sweep {

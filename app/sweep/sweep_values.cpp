@@ -89,7 +89,15 @@ std::string_view to_string(Sampling sampling) {
   return "?";
 }
 
-std::string_view to_string(Mask mask) { return mask == Mask::instance ? "instance" : "?"; }
+std::string_view to_string(Mask mask) {
+  switch (mask) {
+    case Mask::instance:
+      return "instance";
+    case Mask::violation:
+      return "violation";
+  }
+  return "?";
+}
 
 void refuse_word(const Spot& spot,
                  const std::string& word,

@@ -34,7 +34,7 @@ integers = [2, 4]
 validation = 0.25
 held_out = [{ key = "tower.t.count", values = [4] }]
 [labels]
-check = ["verdict", "contacts"]
+check = ["verdict", "contacts", "margin", "weakest", "causes"]
 [labels.run]
 columns = ["time_of_fall", "moved", "at_rest", "final_height", "first_event", "first_event_time", "events"]
 [output]
@@ -59,6 +59,14 @@ def npy(data):
     length = struct.unpack("<H", data[8:10])[0]
     head = eval(data[10:10 + length], {})  # a literal, by the format
     return head["descr"], head["shape"], data[10 + length:]
+
+
+def gray_pixels(png):
+    """Numbers of an 8-bit grey PNG without filters, row by row."""
+    width, height = struct.unpack(">II", png[16:24])
+    start = png.index(b"IDAT")
+    rows = zlib.decompress(png[start + 4:start + 4 + struct.unpack(">I", png[start - 4:start])[0]])
+    return [value for y in range(height) for value in rows[y * (width + 1) + 1:(y + 1) * (width + 1)]]
 
 
 class Sweep(ProgramTest):
@@ -222,7 +230,7 @@ verdicts = ["falls"]
         self.refused('did you mean "lean"?', SWEEP.replace("tower.t.lean", "tower.t.laen"))
         self.refused('there is no tower "s"', SWEEP.replace("tower.t.lean", "tower.s.lean"))
         self.refused("the template has no [[wall]]", SWEEP.replace("tower.t.lean", "wall.*.mass"))
-        self.refused('"mrgin" is unknown', SWEEP.replace('"contacts"', '"mrgin"'))
+        self.refused('"mrgin" is unknown; did you mean "margin"?', SWEEP.replace('"contacts"', '"mrgin"'))
         self.refused("add up to 1", SWEEP.replace("validation = 0.25", "train = 0.5\nvalidation = 0.25"))
         self.refused("does not vary", SWEEP.replace('held_out = [{ key = "tower.t.count"', 'held_out = [{ key = "tower.t.cont"'))
         self.refused("a grid needs a list here", SWEEP.replace("seed = 7", 'sampling = "grid"'))
@@ -271,7 +279,12 @@ class Samples(Sweep):
                     case = cases[sample["id"]]
                     seen += 1
                     self.assertEqual((case["split"], case["values"]), (split, sample["values"]))
-                    check = json.loads(self.call("check", "--json", self.scene(sample["scene"])).stdout)
+                    check = json.loads(self.call("check", "--json", "--margin", "shift", self.scene(sample["scene"])).stdout)
+                    self.assertAlmostEqual(sample["labels"]["margin"], check["margin"]["smallest"], delta=1e-12)
+                    self.assertEqual(sample["labels"]["weakest"], check["margin"]["weakest"])
+                    why = json.loads(self.call("explain", "--json", self.scene(sample["scene"])).stdout)
+                    first = "+".join(why["causes"][0]["part"]) if why["causes"] else None
+                    self.assertEqual(sample["labels"]["causes"], first)
                     self.assertEqual(sample["labels"]["verdict"], check["verdict"])
                     self.assertEqual(sample["labels"]["contacts"], len(check["contacts"]))
                     times = ",".join(str(k / 10) for k in range(5))
@@ -291,6 +304,27 @@ class Samples(Sweep):
                     self.expect(0, "reproduce", "first.png")
         self.assertEqual(seen, 24)
 
+    def test_masks_of_violations_number_what_falls_by_itself(self):
+        text = SWEEP.replace("uniform = [-0.6, 0.6]", "uniform = [0.4, 0.6]").replace("cases = 24", "cases = 4")
+        self.plan(text + PICTURES.replace('["instance"]', '["instance", "violation"]'))
+        self.expect(0, "sweep", "run", "plan")
+        self.merged("plan", "data")
+        with tarfile.open(self.path("data/train-000000.tar")) as archive:
+            for name in [n for n in archive.getnames() if n.endswith(".violation.png")]:
+                sample = json.load(archive.extractfile(name.replace(".violation.png", ".json")))
+                instances = gray_pixels(archive.extractfile(name.replace("violation", "instance")).read())
+                part = {1 + sample["bodies"].index(cube) for cube in sample["labels"]["causes"].split("+")}
+                below = min(part) - 1
+                expected = [1 if k in part else 2 if k == below and k else 0 for k in instances]
+                self.assertEqual(gray_pixels(archive.extractfile(name).read()), expected)
+
+    def test_knife_edges_are_drawn_again(self):
+        text = SWEEP.replace("uniform = [-0.6, 0.6]", "choice = [0.1, 0.499, 0.5, 0.501]").replace("integers = [2, 4]", "choice = [2]").replace("values = [4]", "values = [3]")
+        self.plan(text.replace("cases = 24", "cases = 4"), "all")
+        self.refused("only 1 of 2 cases", text.replace("cases = 24", "cases = 2") + "[reject]\nmargin_below = 0.01\n")
+        self.plan(text.replace("cases = 24", "cases = 1") + "[reject]\nmargin_below = 0.01\n")
+        self.assertEqual(self.manifest()[0]["values"]["tower.t.lean"], 0.1)
+
     def test_masks_number_the_bodies(self):
         self.plan(SWEEP.replace("uniform = [-0.6, 0.6]", "uniform = [0.0, 0.1]") + PICTURES.replace("[64, 48]", "[160, 120]"))
         self.expect(0, "sweep", "run", "plan")
@@ -299,11 +333,9 @@ class Samples(Sweep):
             name = next(n for n in archive.getnames() if n.endswith(".instance.png"))
             png = archive.extractfile(name).read()
             bodies = len(json.load(archive.extractfile(name.replace(".instance.png", ".json")))["bodies"])
-        width, height, depth, color = struct.unpack(">IIBB", png[16:26])
-        self.assertEqual((width, height, depth, color), (160, 120, 8, 0))
-        start = png.index(b"IDAT")
-        rows = zlib.decompress(png[start + 4:start + 4 + struct.unpack(">I", png[start - 4:start])[0]])
-        pixels = [rows[y * 161 + 1:(y + 1) * 161] for y in range(120)]
+        self.assertEqual(struct.unpack(">IIBB", png[16:26]), (160, 120, 8, 0))
+        numbers = bytes(gray_pixels(png))
+        pixels = [numbers[y * 160:(y + 1) * 160] for y in range(120)]
         counts = [sum(row.count(k) for row in pixels) for k in range(bodies + 1)]
         self.assertEqual(sum(counts), 160 * 120)
         self.assertTrue(all(abs(c - counts[1]) <= 0.1 * counts[1] for c in counts[1:]), counts)  # cubes of one size
