@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t most_waiting = std::size_t{8} << 20U;  // bytes
+constexpr std::size_t most_waiting = std::size_t{1} << 20U;  // bytes
 constexpr double longest_wait = 1.0;                         // s
 
 [[noreturn]] void fail(const std::string& path) {

@@ -61,7 +61,7 @@ class ShardWriter {
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
 
-  /// What comes together within a second or 8 MB is written together: the archive first, the lines
+  /// What comes together within a second or 1 MB is written together: the archive first, the lines
   /// of the journal when it is safe on the disk. Throws OutputError.
   void add(const Case& one, const std::string& blocks, double cpu_s);
   void add_failure(const Case& one, const std::string& error);

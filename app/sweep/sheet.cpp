@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/film/origin.h"
 #include "app/film/recording.h"
 #include "app/sweep/sample_pictures.h"
 #include "app/sweep/statics.h"
@@ -57,6 +58,7 @@ Still contact_sheet(const Plan& plan,
   options.size = {layout.cell_width, layout.cell_height};
   const auto cells = static_cast<long>(choice.grid.columns) * choice.grid.rows;
   Still sheet;
+  sheet.origin = {{software_key, "wuerfel " WUERFEL_VERSION}, {"Sweep plan", plan.hash()}};
   std::vector<std::string> captions;
   for (const Case& one : spread_cases(plan, cells)) {
     stop.check();
