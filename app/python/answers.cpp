@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <pybind11/numpy.h>
-#include <pybind11/stl.h>
 
 #include "app/cli/choice.h"
 #include "app/commands/check_json.h"

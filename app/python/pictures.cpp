@@ -60,7 +60,7 @@ Sight sight_of(const PySimulation& simulation, PictureOptions options) {
   options.average = 0.0;
   const SnapshotRequest request = snapshot_request(options, scene.cubes.size());
   const StopSignal deaf(StopSignal::Ear::deaf);
-  const MotionSource source{scene, {}, {}, request, {}, deaf};
+  const MotionSource source{scene, {}, {}, request, request, {}, deaf};
   Recording motion(source);
   Snapshot snapshot = simulation.get().snapshot(request);
   motion.add(snapshot);

@@ -49,8 +49,8 @@ std::string PyScene::json() const { return normalised_scene(scene); }
 
 std::vector<std::string> PyScene::names() const {
   std::vector<std::string> names;
-  for (const SceneCube& cube : scene.cubes)
-    names.push_back(cube.name);
+  for (std::size_t i = 0; i < scene.cubes.size() + scene.points.size(); ++i)
+    names.push_back(moving_name(scene, static_cast<int>(i)));
   return names;
 }
 
@@ -80,7 +80,8 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("title", [](const PyScene& scene) { return scene.scene.title; })
       .def_property_readonly(
           "duration", [](const PyScene& scene) { return scene.scene.duration; }, "s")
-      .def_property_readonly("names", &PyScene::names, "Names of the cubes, in order.")
+      .def_property_readonly("names", &PyScene::names,
+                             "Names of the bodies that move, in order: cubes, then point masses.")
       .def_property_readonly(
           "hash", [](const PyScene& scene) { return text_hash(scene.json()); },
           "As in the summary of a run.")

@@ -58,13 +58,13 @@ void require_times(const std::vector<double>& times) {
     throw UsageError("times must be 0 s or later");
 }
 
-py::array_t<double> states_array(const Motion& motion, std::size_t cubes) {
+py::array_t<double> states_array(const Motion& motion, std::size_t bodies) {
   py::array_t<double> array(
-      {static_cast<py::ssize_t>(motion.states.size()), static_cast<py::ssize_t>(cubes), numbers});
+      {static_cast<py::ssize_t>(motion.states.size()), static_cast<py::ssize_t>(bodies), numbers});
   double* row = array.mutable_data();
   for (const State& state : motion.states) {
     put(state, row);
-    row += numbers * static_cast<py::ssize_t>(cubes);
+    row += numbers * static_cast<py::ssize_t>(bodies);
   }
   return array;
 }
@@ -77,7 +77,7 @@ py::object trajectory(const Motion& motion,
   outcome["at_rest"] = motion.at_rest;
   return py::module_::import("wuerfel").attr("Trajectory")(
       py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data()),
-      states_array(motion, scene.scene.cubes.size()), scene.names(), event_list(motion.events),
+      states_array(motion, scene.names().size()), scene.names(), event_list(motion.events),
       audit_dict(motion.audit), outcome);
 }
 
@@ -218,7 +218,7 @@ void bind_simulation(py::module_& module) {
           "time", [](const PySimulation& s) { return s.get().time(); }, "s")
       .def_property_readonly(
           "state", [](const PySimulation& s) { return state_array(s.get().states()); },
-          "(cubes, 6) float64, a copy: x, y, angle, vx, vy, spin; SI units.")
+          "(bodies, 6) float64, a copy: x, y, angle, vx, vy, spin; SI units.")
       .def_property_readonly("names", [](const PySimulation& s) { return s.scene().names(); })
       .def_property_readonly("scene", [](const PySimulation& s) { return s.scene(); })
       .def_property_readonly("events",

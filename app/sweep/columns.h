@@ -26,7 +26,7 @@ enum class RunColumn {
   time_of_fall,      ///< s, when a cube first was a tenth of its smaller side away from its start
   moved,             ///< how many cubes have moved by more than rounding
   at_rest,           ///< whether all stand still in the end, certified
-  final_height,      ///< m, of the highest corner of a cube in the end
+  final_height,      ///< m, of the highest corner or point mass in the end
   first_event,       ///< its kind
   first_event_time,  ///< s
   events,            ///< how many there were

@@ -35,8 +35,8 @@ std::string labels_json(const Sweep& sweep,
   for (const auto& [name, label] : row)
     labels[name] = json_of(label);
   Json bodies = Json::array();
-  for (const SceneCube& cube : scene.cubes)
-    bodies.push_back(cube.name);
+  for (std::size_t i = 0; i < scene.cubes.size() + scene.points.size(); ++i)
+    bodies.push_back(moving_name(scene, static_cast<int>(i)));
   const Json head{{"id", one.id},
                   {"case", one.number},
                   {"split", one.split},

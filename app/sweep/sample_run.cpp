@@ -30,6 +30,8 @@ double highest_corner(const Scene& scene, const State& state) {
     top = std::max(top,
                    state[i].position.y() + half.x() * std::abs(sine) + half.y() * std::abs(cosine));
   }
+  for (std::size_t i = scene.cubes.size(); i < state.size(); ++i)
+    top = std::max(top, state[i].position.y());
   return top;
 }
 
@@ -59,7 +61,7 @@ std::map<double, SampleRun::Look> SampleRun::looks() const {
 
 void SampleRun::draw_first(const Simulation& simulation) {
   const Snapshot first = simulation.snapshot(request_);
-  const MotionSource source{scene_, {}, {}, request_, {}, stop_};
+  const MotionSource source{scene_, {}, {}, request_, request_, {}, stop_};
   pictures_.emplace(source, sweep_.files, first, *renderer_);
   if (sweep_.files.first_frame) files_.push_back({".first.png", pictures_->frame(first)});
   if (sweep_.files.instance_mask) files_.push_back({".instance.png", pictures_->instances(first)});
@@ -109,7 +111,7 @@ void SampleRun::finish(const Simulation& simulation) {
   moved_ = static_cast<std::int64_t>(simulation.moved().size());
   at_rest_ = simulation.at_rest();
   if (sweep_.files.states)
-    files_.push_back({".states.npy", npy_of(states_, {state_rows_, scene_.cubes.size(), numbers})});
+    files_.push_back({".states.npy", npy_of(states_, {state_rows_, end_.size(), numbers})});
   if (film_) files_.push_back({".mp4", film_->finish()});
 }
 

@@ -20,7 +20,7 @@ DrawList first_frame(const Scene& scene,
   const Simulation simulation(scene, {});
   const SnapshotRequest request = snapshot_request(options, scene.cubes.size());
   const Snapshot first = simulation.snapshot(request);
-  const MotionSource source{scene, {}, {}, request, {}, stop};
+  const MotionSource source{scene, {}, {}, request, request, {}, stop};
   Recording motion(source);
   motion.add(first);
   const PictureOptions fitted = fit_to_motion(options, motion);

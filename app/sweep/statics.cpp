@@ -44,15 +44,15 @@ std::vector<std::uint16_t> Statics::violations() {
   if (!cause()) return numbers;
   for (const int body : cause()->on)
     if (still()->system.is_cube(body)) numbers[body] = 2;
-  for (const int cube : cause()->part.cubes)
-    numbers[cube] = 1;
+  for (const int body : cause()->part.cubes)
+    if (still()->system.is_cube(body)) numbers[body] = 1;
   return numbers;
 }
 
 std::string Statics::cause_text() {
   std::string text;
-  for (const int cube : cause()->part.cubes)
-    text += (text.empty() ? "" : "+") + scene_.cubes[cube].name;
+  for (const int body : cause()->part.cubes)
+    text += (text.empty() ? "" : "+") + moving_name(scene_, body);
   return text;
 }
 
@@ -65,7 +65,7 @@ Label Statics::label(CheckColumn column) {
     case CheckColumn::margin:
       return nearest() ? Label(nearest()->margin) : Label();
     case CheckColumn::weakest:
-      return nearest() ? Label(scene_.cubes[nearest()->cube].name) : Label();
+      return nearest() ? Label(moving_name(scene_, nearest()->cube)) : Label();
     case CheckColumn::causes:
       return cause() ? Label(cause_text()) : Label();
   }

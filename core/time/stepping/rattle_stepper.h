@@ -64,7 +64,10 @@ class RattleStepper {
 
  private:
   void place(Step& step);
+  void follow(const Island& island, const State& state);
   void place_island(const Island& island, Step& step);
+  bool bend_more(const State& end, Island& bent) const;
+  [[nodiscard]] bool bend_rods(const State& end, Island& bent) const;
   void bend(const Island& island,
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
@@ -76,6 +79,7 @@ class RattleStepper {
   void arrive(Step& step, double t);
   void find_touching(Step& step);
   void strike_anew(Step& step);
+  [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;
   void hit(Step& step);
   [[nodiscard]] double surplus_of(const StepRecord& record, const State& end) const;
   [[nodiscard]] double error_of(const State& state) const;
@@ -88,6 +92,13 @@ class RattleStepper {
   double sway_ = 0.0;
   double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
   Stride stride_;
+  /// Where cubes have come in the first placement, and a state whose velocities are their displacements: what rows
+  /// times a displacement are read from.
+  struct Way {
+    std::vector<Box> boxes;
+    State moved;
+  };
+  Way way_;
   State flown_;                    ///< the end before the clean-up
   std::vector<Contact> cleaned_;   ///< contacts of the clean-up
   std::vector<Contact> contacts_;  ///< what touches at the end of the way
