@@ -163,7 +163,7 @@ void ShardWriter::add(const Case& one, const std::string& blocks, double cpu_s) 
             {"cpu_s", cpu_s}}
            .dump());
   waiting_ += blocks;
-  if (waiting_.size() >= most_waiting || now() - flushed_ >= longest_wait) flush();
+  if (waiting_.size() >= most_waiting || now() - flushed_ >= wait_) flush();
 }
 
 void ShardWriter::add_failure(const Case& one, const std::string& error) {
@@ -186,6 +186,7 @@ void ShardWriter::flush() {
   if (::fsync(journal_) != 0) fail(name_);
   offset_ += blocks.size();
   flushed_ = now();
+  wait_ = std::min(2.0 * wait_, longest_wait);
 }
 
 }  // namespace wuerfel

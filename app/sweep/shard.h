@@ -61,7 +61,7 @@ class ShardWriter {
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
 
-  /// What comes together within a second or 1 MB is written together: the archive first, the lines
+  /// What comes together within a second, at first less, or 1 MB is written together: the archive first, the lines
   /// of the journal when it is safe on the disk. Throws OutputError.
   void add(const Case& one, const std::string& blocks, double cpu_s);
   void add_failure(const Case& one, const std::string& error);
@@ -80,6 +80,8 @@ class ShardWriter {
   std::uint64_t offset_ = 0;  // of what waits
   std::string waiting_;
   std::string lines_;
+  double wait_ =
+      0.05;  // s, until the next flush: short at first, so that even short runs leave something
   double flushed_ = 0.0;  // s, of the machine's clock: when, never what
 };
 

@@ -5,7 +5,7 @@
     w.check(scene).verdict                     # "falls"
     w.explain(scene)["text"]                   # why, and what would help
     motion = w.simulate(scene, [0.0, 0.5, 1.0])
-    motion.states                              # (times, cubes, 6): x, y, angle, vx, vy, spin
+    motion.states                              # (times, bodies, 6): x, y, angle, vx, vy, spin
     w.render(scene, t=0.5, size=(640, 360))    # (360, 640, 4) uint8
 
 SI units, y up, angles in radians counter-clockwise. Errors in scenes are SceneError, a ValueError that says where
@@ -28,8 +28,8 @@ class Trajectory(NamedTuple):
     """What `simulate` returns."""
 
     times: "numpy.ndarray"   # s
-    states: "numpy.ndarray"  # (times, cubes, 6): x, y, angle and their rates; just after events
-    names: list              # of the cubes
+    states: "numpy.ndarray"  # (times, bodies, 6): x, y, angle and their rates; just after events
+    names: list              # of the cubes, then of the point masses
     events: list             # dicts with the keys of `run --json`
     audit: dict
     outcome: dict            # moved, at_rest
