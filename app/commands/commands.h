@@ -22,6 +22,8 @@ struct Command {
   /// Declares the options of the command, and only those: the program starts faster without what
   /// the others have.
   Action (*declare)(Options& options);
+  /// Where the command is a family: its members, each with options of its own.
+  std::span<const Command> (*members)() = nullptr;
 };
 
 std::span<const Command> all_commands();

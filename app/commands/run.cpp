@@ -53,11 +53,12 @@ struct Job {
   const Scene& scene;
   RunPlan plan;
   Stopwatch since_start;
-  const StopSignal& stop;
 };
 
 Answer run(const Job& job, AnswerForm form, Notes& notes) {
-  const auto& [asked, scene, plan, since_start, stop] = job;
+  const auto& [asked, scene, plan, since_start] = job;
+  // Where there are several scenes nothing is written that a signal could tear.
+  const StopSignal stop(form.one_line ? StopSignal::Ear::deaf : StopSignal::Ear::open);
   Simulation simulation(scene, asked.motion);
   simulation.set_pulse([&stop] { stop.check(); });
 
@@ -108,16 +109,12 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   return {code, form.json ? json_text(summary, form) : ""};
 }
 
-/// What holds for all scenes of the command.
-struct Errand {
-  const RunOptions& asked;
-  const Options& options;
-  const Stopwatch& since_start;
-  const StopSignal& stop;
-};
-
-Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Notes& notes) {
-  const auto& [asked, options, since_start, stop] = errand;
+Answer answer(const RunOptions& asked,
+              const Options& options,
+              const Stopwatch& since_start,
+              const SceneText& text,
+              AnswerForm form,
+              Notes& notes) {
   if (form.one_line && !asked.files().empty())
     throw UsageError("files are written for one scene at a time; for several there is --json");
   note_idle_options(asked, options, notes);
@@ -127,7 +124,7 @@ Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Note
     throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
   const RunOptions suited = with_rate_of_gif(asked, options, notes);
   if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
-  return run({suited, scene, make_plan(suited, scene), since_start, stop}, form, notes);
+  return run({suited, scene, make_plan(suited, scene), since_start}, form, notes);
 }
 
 void declare_outputs(Options& options, RunOptions& asked) {
@@ -170,11 +167,9 @@ Action declare_run(Options& options) {
   add_motion_options(options, asked->motion);
   return [asked, &options](const Stopwatch& since_start) {
     require_distinct_outputs(*asked);
-    const StopSignal stop;
-    const Errand errand{*asked, options, since_start, stop};
     return for_each_scene({asked->scenes, asked->json, asked->quiet, asked->threads},
-                          [&errand](const SceneText& text, AnswerForm form, Notes& notes) {
-                            return answer(errand, text, form, notes);
+                          [&](const SceneText& text, AnswerForm form, Notes& notes) {
+                            return answer(*asked, options, since_start, text, form, notes);
                           });
   };
 }
