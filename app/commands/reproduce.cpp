@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include <fmt/core.h>
@@ -44,7 +44,9 @@ Made read_made(const std::string& path) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw UsageError(fmt::format("cannot read {}", path));
-  std::string svg{std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::string svg = text.str();
   std::vector<PngText> texts = read_origin(svg);
   return {std::nullopt, std::move(svg), std::move(texts)};
 }
@@ -133,7 +135,9 @@ ExitCode reproduce(const ReproduceOptions& options) {
     texts.width_mm = width_on_paper(picture.svg);
     const auto again =
         encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
-    if (!options.output.empty()) write_text(options.output, {again.begin(), again.end()});
+    if (!options.output.empty()) {
+      write_text(options.output, {reinterpret_cast<const char*>(again.data()), again.size()});
+    }
     comparison = compare_texts(picture.svg, again);
   }
   write_text("-", report(comparison, made_by, options));

@@ -52,6 +52,11 @@ class JointReader {
           entry.origin.table->place, entry.origin.path,
           fmt::format("\"{}\" has no length, for its places coincide; use a [[pin]]", rod.name));
     }
+    // What the places say must be as fit for reading as what was written.
+    if (distance < limits::size.min || distance > limits::size.max) {
+      source_.fail(entry.origin.table->place, entry.origin.path,
+                   fmt::format("\"{}\" would be {} m long, out of range", rod.name, distance));
+    }
     rod.length = entry.length.value_or(distance);
     if (std::abs(distance - rod.length) > touching_tolerance * rod.length) {
       source_.fail(

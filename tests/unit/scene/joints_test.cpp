@@ -92,6 +92,11 @@ TEST(Joints, WhatCannotBeJoinedIsRefused) {
             "s.toml:4:55: rod[2]: the name \"r\" is taken by another rod or pin");
 }
 
+TEST(Joints, LengthsStayWithinBounds) {
+  EXPECT_EQ(error_with("rod = [{from = \"p\", to = [0, 1e13]}]\n"),
+            "s.toml:4:8: rod[1]: \"rod1\" would be 9999999999998 m long, out of range");
+}
+
 TEST(Joints, PointsMayNotEnterBodies) {
   EXPECT_EQ(error_with("[[fixed]]\nname = \"f\"\nsize = 1\nposition = [0, 2.25]\n"),
             "s.toml:4:1: fixed[1]: the point \"p\" lies 0.25 m inside of \"f\"; move them apart, "

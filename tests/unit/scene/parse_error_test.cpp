@@ -24,7 +24,7 @@ TEST(ParseError, UnknownKeyWithoutLikenessListsTheKnownOnes) {
   EXPECT_EQ(
       toml_error("qqqqqq = 3\n" + std::string(cube)),
       "s.toml:1:1: unknown key \"qqqqqq\"; known: version, title, gravity, duration, material, "
-      "plane, fixed, cube, tower, wall, pyramid, pile, pair");
+      "plane, fixed, cube, tower, wall, pyramid, pile, pair, point, rod, pin");
 }
 
 TEST(ParseError, UnknownKeysOfAllTablesAreRefused) {
@@ -148,9 +148,9 @@ TEST(ParseError, MessagesAreOneLineWhateverTheyQuote) {
 
 TEST(ParseError, ASceneNeedsCubes) {
   EXPECT_EQ(toml_error("# nothing\n"),
-            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile");
+            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile or point");
   EXPECT_EQ(toml_error("[[plane]]\n[[fixed]]\nposition = [0, 0]\n"),
-            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile");
+            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile or point");
   EXPECT_EQ(json_error(R"({"version": 1, "cube": []})"),
             "s.json: the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
 }
@@ -314,7 +314,8 @@ TEST(ParseError, AbsurdCountsAreRefused) {
   EXPECT_EQ(toml_error("[[tower]]\ncount = 300000\nbase = [0, 0]\n"),
             "s.toml:2:9: tower[1].count: must be between 1 and 200000; it is 300000");
   EXPECT_EQ(toml_error("[[wall]]\nrows = 200000\ncolumns = 200000\nbase = [0, 0]\n"),
-            "s.toml: the scene has 40000200000 cubes and fixed boxes; at most 200000 are allowed");
+            "s.toml: the scene has 40000200000 cubes, points and fixed boxes; at most 200000 are "
+            "allowed");
   EXPECT_EQ(toml_error("[[tower]]\ncount = 0\nbase = [0, 0]\n"),
             "s.toml:2:9: tower[1].count: must be greater than 0; it is 0");
 }
