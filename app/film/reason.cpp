@@ -8,6 +8,14 @@ namespace wuerfel {
 
 namespace {
 
+// Points have no box in a picture.
+std::vector<int> boxes_of(const StillScene& still, const std::vector<int>& bodies) {
+  std::vector<int> boxes;
+  for (const int body : bodies)
+    if (still.system.body(body).kind == BodyKind::cube) boxes.push_back(body);
+  return boxes;
+}
+
 // Below the centre of mass of a part that tips, at the height of its corner along gravity.
 Vec2 beside(const StillScene& still, const Cause& cause) {
   const Vec2 down = still.down();
@@ -18,7 +26,7 @@ void mark_cause(const StillScene& still,
                 const Cause& cause,
                 Language language,
                 SnapshotReason& reason) {
-  reason.part = cause.part.cubes;
+  reason.part = boxes_of(still, cause.part.cubes);
   reason.centre = cause.part.centre;
   if (!cause.corner) return;
   reason.corner = cause.corner;
@@ -26,14 +34,14 @@ void mark_cause(const StillScene& still,
   reason.label = length_in(language, *cause.outside);
 }
 
-void mark_mechanism(const Causes& causes, SnapshotReason& reason) {
+void mark_mechanism(const StillScene& still, const Causes& causes, SnapshotReason& reason) {
   double largest = 0.0;
   for (const MovingPart& part : causes.mechanism)
     for (const int cube : part.cubes)
       largest = std::max(largest, causes.certificate.motion[cube].linear.norm());
   if (largest == 0.0) return;
   for (const MovingPart& part : causes.mechanism)
-    for (const int cube : part.cubes)
+    for (const int cube : boxes_of(still, part.cubes))
       reason.motion.push_back({cube, causes.certificate.motion[cube].linear / largest});
 }
 
@@ -43,7 +51,7 @@ SnapshotReason::Fix mark_fix(const StillScene& still, const Fix& fix, Language l
   mark.force = fix.force;
   mark.label = force_in(language, fix.force.norm(), Rounding::up);
   if (fix.kind == Fix::Kind::force) return mark;
-  mark.moved = carried_group(still, fix.cube)->cubes;
+  mark.moved = boxes_of(still, carried_group(still, fix.cube)->cubes);
   mark.way = fix.distance * fix.along;
   mark.label = length_in(language, std::abs(fix.distance), Rounding::up);
   return mark;
@@ -73,7 +81,7 @@ SnapshotReason picture_reason(const Scene& scene, const Explanation& e, Language
       mark_cause(*e.still, e.causes.causes.front(), language, reason);
       reason.headlines.push_back(cause_sentence(*e.still, e.causes.causes.front(), language));
     } else {
-      mark_mechanism(e.causes, reason);
+      mark_mechanism(*e.still, e.causes, reason);
       reason.headlines.push_back(say_in(language, Phrase::no_part_alone));
     }
     mark_fixes(e, language, reason);

@@ -21,14 +21,24 @@ std::vector<int> part_of(const StillScene& still, const Island& island, int cube
   return carried_parts(still, island)[at - island.cubes.begin()];
 }
 
+/// Whether a rod joins cubes to anything else.
+bool tied(const StillScene& still, const Island& island, const std::vector<int>& cubes) {
+  const auto inside = [&](int body) { return std::ranges::binary_search(cubes, body); };
+  return std::ranges::any_of(island.rods, [&](int number) {
+    const Rod& rod = still.system.rods[number];
+    return inside(rod.i.body) != inside(rod.j.body);
+  });
+}
+
 /// Looks at moved scenes, and finds where they change.
 class MoveSearch {
  public:
   MoveSearch(const StillScene& still, const MotionSettings& settings, const CarriedGroup& group)
       : still_(still), settings_(settings), group_(group) {
-    side_ = still.system.body(group.cubes.front()).size.minCoeff();
+    side_ = unbounded;
     for (const int cube : group.cubes)
-      side_ = std::min(side_, still.system.body(cube).size.minCoeff());
+      if (still.system.body(cube).kind == BodyKind::cube)
+        side_ = std::min(side_, still.system.body(cube).smaller_side());
   }
 
   [[nodiscard]] MovedScene at(double s) const { return move(still_, settings_, group_, s); }
@@ -168,9 +178,10 @@ std::optional<double> mended_on_the_way(const MoveSearch& search, double nearest
 
 std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   const int m = still.island_of(cube);
-  if (m < 0) return std::nullopt;
+  if (m < 0 || still.system.body(cube).kind == BodyKind::point) return std::nullopt;
   const Island& island = still.found.islands[m].island;
   CarriedGroup group{part_of(still, island, cube), m};
+  if (tied(still, island, group.cubes)) return std::nullopt;
   std::optional<Vec2> normal;
   for (const Contact& c : island.contacts) {
     const bool on = std::ranges::binary_search(group.cubes, c.on);

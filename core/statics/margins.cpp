@@ -54,23 +54,21 @@ class IslandLoads {
 
   /// All s with forces that balance the weights and s q.
   LoadRange range(const Load& q) {
-    if (!motions_) return factor_.range(weights_, q);
     Load reverse = q;
     for (double& x : reverse)
       x = -x;
-    return factor_.range(weights_, q, motions_->cut(weights_, q), motions_->cut(weights_, reverse));
+    return factor_.range(weights_, q, motions_.cut(weights_, q), motions_.cut(weights_, reverse));
   }
 
  private:
   IslandLoads(const StillScene& still, const Island& island, const Generators& generators)
-      : factor_(generators.program), weights_(weights(still, island)) {
-    constexpr std::size_t most_cubes = 128;  // parts of parts grow as their square
-    if (island.cubes.size() <= most_cubes) motions_.emplace(still, island, generators);
-  }
+      : factor_(generators.program),
+        weights_(weights(still, island)),
+        motions_(still, island, generators) {}
 
   LoadFactor factor_;
   Load weights_;
-  std::optional<PartMotions> motions_;
+  PartMotions motions_;
 };
 
 /// The margins of the cubes of one island.

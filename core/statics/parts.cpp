@@ -17,6 +17,8 @@ constexpr double pressing = 1e-9;   ///< share of the largest force
 constexpr double no_slope = 1e-14;  ///< sine of an angle that rounding leaves
 /// A contact closes that does so by more than this share of how far the part reaches.
 constexpr double closing = 1e-12;
+constexpr std::size_t many_cubes = 128;
+constexpr std::size_t few_cubes = 3;
 
 bool has(const std::vector<int>& ascending, int cube) {
   return std::ranges::binary_search(ascending, cube);
@@ -202,8 +204,10 @@ PartMotions::PartMotions(const StillScene& still,
           static_cast<int>(std::ranges::lower_bound(island.cubes, cube) - island.cubes.begin()));
     parts_.push_back(std::move(places));
   }
+  // Of large piles the smallest parts alone: all of them would grow as the square of the pile.
+  const bool large = island.cubes.size() > many_cubes;
   for (int part = 0; part < static_cast<int>(parts_.size()); ++part)
-    add_of_part(part, generators);
+    if (!large || parts_[part].size() <= few_cubes) add_of_part(part, generators);
 }
 
 /// About every contact that holds the part, both ways, and to both sides.

@@ -23,6 +23,7 @@ struct PartStand {
   LoadRange shift;           ///< m, of its centre to the right, so that it stands; may be empty
   Twist motion;              ///< m/s^2, rad/s^2, of the whole as it would fall; zero: it stands
   std::vector<int> held_by;  ///< contacts of the island with the rest
+  bool on_rods = false;      ///< rods join it to the rest
   std::vector<int> presses;  ///< those of them that carry force when it falls
   std::optional<int> pivot;  ///< the contact it tips about; none: it slides or falls freely
   [[nodiscard]] bool stands() const { return motion.linear.isZero(0.0) && motion.angular == 0.0; }
