@@ -130,7 +130,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
     texts.width_mm = width_on_paper(picture.svg);
     const auto again =
         encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
-    if (!options.output.empty()) write_text(options.output, {again.begin(), again.end()});
+    if (!options.output.empty())
+      write_text(options.output, std::string(again.begin(), again.end()));
     comparison = compare_texts(picture.svg, again);
   }
   write_text("-", report(comparison, made_by, options));
