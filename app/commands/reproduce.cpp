@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <utility>
 
 #include <fmt/core.h>
@@ -44,7 +44,9 @@ Made read_made(const std::string& path) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw UsageError(fmt::format("cannot read {}", path));
-  std::string svg{std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  text << file.rdbuf();
+  std::string svg = text.str();
   std::vector<PngText> texts = read_origin(svg);
   return {std::nullopt, std::move(svg), std::move(texts)};
 }
