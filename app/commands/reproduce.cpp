@@ -68,9 +68,6 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
   add_ghosts_option(options, made_with.ghosts);
-  options.single("--why", "LANGUAGE", "of `explain`", [&made_with](const std::string& language) {
-    made_with.why = parse_choice<Language>("--why", language);
-  });
   options.parse_line(text);
   return made_with;
 } catch (const UsageError& error) {
@@ -135,9 +132,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
     texts.width_mm = width_on_paper(picture.svg);
     const auto again =
         encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
-    if (!options.output.empty()) {
-      write_text(options.output, {reinterpret_cast<const char*>(again.data()), again.size()});
-    }
+    if (!options.output.empty())
+      write_text(options.output, std::string(again.begin(), again.end()));
     comparison = compare_texts(picture.svg, again);
   }
   write_text("-", report(comparison, made_by, options));
