@@ -172,9 +172,10 @@ void RattleStepper::place_island(const Island& island, Step& step) {
     return;
   }
   std::vector<Twist> targets;
-  for (const int cube : island.cubes)
-    targets.push_back(
-        {stride_.h * stride_.half[cube].velocity, stride_.h * stride_.half[cube].spin});
+  for (const int cube : island.cubes) {
+    const BodyState& half = stride_.half[cube];
+    targets.push_back({stride_.h * half.velocity, stride_.h * half.spin});
+  }
   const IslandSolution straight = apart(island, targets, step);
   fly_half(island, straight, step.state);
   // Where something is struck within the step its order is one anyway.
