@@ -68,6 +68,9 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
   add_ghosts_option(options, made_with.ghosts);
+  options.single("--why", "LANGUAGE", "of `explain`", [&made_with](const std::string& language) {
+    made_with.why = parse_choice<Language>("--why", language);
+  });
   options.parse_line(text);
   return made_with;
 } catch (const UsageError& error) {
