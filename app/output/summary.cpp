@@ -40,6 +40,7 @@ Json audit_json(const Audit& audit) {
           {"friction_inexact", audit.friction_inexact},
           {"friction_residual", audit.friction_residual},
           {"restitution_reduced", audit.restitution_reduced},
+          {"momentum", {{"linear", audit.momentum_linear}, {"angular", audit.momentum_angular}}},
           {"energy",
            {{"start", audit.energy_start},
             {"end", audit.energy_end},

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/dynamics/momentum_balance.h"
+
 namespace wuerfel {
 
 ClosedContacts::ClosedContacts(const System& system)
@@ -68,6 +70,20 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
     accelerations[cube] = {Vec2(at[0], at[1]), at[2]};
     at += 3;
   }
+}
+
+Push ClosedContacts::pushed(const State& state) const {
+  Push sum;
+  if (forces_.empty()) return sum;
+  const Vec2 center = common_center(*system_, state, resting_);
+  std::vector<double> along;
+  if (rubbing_.any()) along = rubbing_.along_sides(forces_);
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const Contact& c = island_.contacts[k];
+    const Vec2 side = along.empty() ? Vec2(Vec2::Zero()) : Vec2(along[k] * perp(c.normal));
+    add_push(*system_, state, center, c, forces_[k] * c.normal + side, sum);
+  }
+  return sum;
 }
 
 void ClosedContacts::project_positions(State& state) {

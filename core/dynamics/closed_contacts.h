@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/dynamics/programs.h"
+#include "core/dynamics/push.h"
 #include "core/dynamics/rubbing_contacts.h"
 #include "core/qp/methods/equality_solver.h"
 
@@ -39,6 +40,9 @@ class ClosedContacts {
   [[nodiscard]] const std::vector<double>& forces() const { return forces_; }
   /// Contacts that rub, with the forces of the last `accelerate` along their sides.
   [[nodiscard]] const RubbingContacts& rubbing() const { return rubbing_; }
+
+  /// What fixed bodies do to the moving cubes, by the forces of the last `accelerate` at `state`.
+  [[nodiscard]] Push pushed(const State& state) const;
 
   /// Moves the cubes by the least (in the mass metric) that closes the gaps to first order.
   void project_positions(State& state);

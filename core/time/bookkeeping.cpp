@@ -1,8 +1,10 @@
 #include "core/time/bookkeeping.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/dynamics/gauss.h"
+#include "core/dynamics/momentum_balance.h"
 
 namespace wuerfel {
 namespace {
@@ -64,6 +66,14 @@ void add(const Bookkeeping& more, Bookkeeping& book) {
   book.losses.insert(book.losses.end(), more.losses.begin(), more.losses.end());
   add_audit(more.audit, book.audit);
   book.cost = sum_of(book.cost, more.cost);
+  book.unexplained += more.unexplained;
+}
+
+void note_unexplained(const MomentumScale& scale, Bookkeeping& book) {
+  const Push& sum = book.unexplained;
+  Audit& audit = book.audit;
+  audit.momentum_linear = std::max(audit.momentum_linear, sum.linear.norm() / scale.linear);
+  audit.momentum_angular = std::max(audit.momentum_angular, std::abs(sum.angular) / scale.angular);
 }
 
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {

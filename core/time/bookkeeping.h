@@ -5,11 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/dynamics/push.h"
 #include "core/geometry/vec2.h"
 
 namespace wuerfel {
 
 struct IslandSolution;
+struct MomentumScale;
 
 enum class EventKind { impact, touch, release, slide_off, stick, slip, jam, rest };
 std::string_view to_string(EventKind kind);
@@ -56,6 +58,10 @@ struct Audit {
   double energy_end = 0.0;     ///< J
   double impact_loss = 0.0;    ///< J, taken by impacts
   double friction_loss = 0.0;  ///< J
+  // The largest change of the momenta of all cubes that neither gravity nor fixed bodies account for,
+  // as a share of MomentumScale (core/dynamics/momentum_balance.h).
+  double momentum_linear = 0.0;
+  double momentum_angular = 0.0;
   [[nodiscard]] double drift() const {
     return energy_end + impact_loss + friction_loss - energy_start;
   }
@@ -85,10 +91,14 @@ struct Bookkeeping {
   std::vector<Loss> losses;
   Audit audit;
   Cost cost;
+  Push unexplained;  ///< changes of the momenta of the cubes that nothing accounts for, up to now
 };
 
 /// Adds what was booked of a part, or of a stretch, of the motion.
 void add(const Bookkeeping& more, Bookkeeping& book);
+
+/// Audits what is unexplained up to now, as shares of the scale.
+void note_unexplained(const MomentumScale& scale, Bookkeeping& book);
 
 /// Books a program that was solved, and how well.
 void keep_book(const IslandSolution& solution, Bookkeeping& book);

@@ -51,6 +51,7 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
   length_ = first_window * scales_.time;
   in_motion_ = kinetic_energy(system, start) + scales_.weight * scales_.length;
   budget_ = drift_share * settings.tolerance * in_motion_;
+  momentum_ = momentum_scale(system, start, scales_.speed);
   bounds_.resize(system.cubes);
   group_of_.assign(start.size(), -1);
   resting_.assign(start.size(), 0);
@@ -193,6 +194,7 @@ void IslandMotion::next_window() {
 
 void IslandMotion::begin_window() {
   const State state = state_at(begin_);
+  momentum_.include(momentum_scale(*system_, state, scales_.speed));
   for (Group& group : groups_) {
     group.track->forget_before(begin_);
     for (std::size_t m = 0; m < group.cubes.size(); ++m) {
@@ -324,6 +326,7 @@ void IslandMotion::commit() {
                    [](const Event& a, const Event& b) { return a.t < b.t; });
   std::stable_sort(computed_.losses.begin() + static_cast<std::ptrdiff_t>(first_loss),
                    computed_.losses.end(), [](const Loss& a, const Loss& b) { return a.t < b.t; });
+  note_unexplained(momentum_, computed_);
 }
 
 }  // namespace wuerfel

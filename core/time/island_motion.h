@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/dynamics/momentum_balance.h"
 #include "core/time/motion.h"
 #include "core/time/track.h"
 
@@ -55,6 +56,7 @@ class IslandMotion final : public Motion {
   double length_ = 0.0;     ///< s, of the next window
   double in_motion_ = 0.0;  ///< J, at the start
   double budget_ = 0.0;     ///< J, of drift per L / V
+  MomentumScale momentum_;  ///< the largest up to now
   double time_ = 0.0;       ///< s, where the motion is looked at
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while

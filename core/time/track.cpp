@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/dynamics/momentum_balance.h"
+
 namespace wuerfel {
 namespace {
 
@@ -98,6 +100,7 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
   events_.start(still, t, limits, {}, found);
   if (!events_.at_rest()) return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
+  found.unexplained += unexplained(*system_, state, still, 0.0, {});
   add(found, book);
   return true;
 }
@@ -127,6 +130,7 @@ void Track::advance(double limit) {
   const std::size_t logged = book_.events.size();
   const std::size_t lost = book_.losses.size();
   const Audit before = book_.audit;
+  const Push unexplained_before = book_.unexplained;
   book_.audit.max_overlap = 0.0;
   events_.advance(limit, pieces_, book_);
   if (leaves_overlap(before)) {
@@ -136,6 +140,7 @@ void Track::advance(double limit) {
     book_.audit.searches_given_up = given_up;
     book_.events.resize(logged);
     book_.losses.resize(lost);
+    book_.unexplained = unexplained_before;
     pieces_.resize(pieces);
     hand_over(start, t);
     return;
@@ -233,6 +238,7 @@ void Track::hand_back() {
   const State state = steps_->with_closed_gaps();
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
+  book_.unexplained += unexplained(*system_, steps_->state(), state, 0.0, {});
   events_.start(state, clock_, {touching_share, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/dynamics/impact.h"
+#include "core/dynamics/momentum_balance.h"
 #include "core/time/events/contact_changes.h"
 #include "core/time/events/corrections.h"
 
@@ -52,6 +53,7 @@ void add_impacts(const System& system,
                  double t,
                  EventKind kind,
                  Instant& now) {
+  now.push += push_of(system, now.state, island, hit.after);
   const double least = hit.after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];

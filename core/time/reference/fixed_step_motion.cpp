@@ -16,7 +16,11 @@ constexpr double same_time = 1e-9;
 FixedStepMotion::FixedStepMotion(const System& system,
                                  const MotionSettings& settings,
                                  const State& start)
-    : system_(&system), settings_(settings), method_(make_method()) {
+    : system_(&system),
+      settings_(settings),
+      method_(make_method()),
+      scales_(scales_of(system, start)),
+      momentum_(momentum_scale(system, start, scales_.speed)) {
   grid_.state = start;
   std::visit([&](auto& method) { method.begin(grid_, book_); }, method_);
 }
@@ -43,7 +47,12 @@ void FixedStepMotion::step() {
     book_.cost.skipped_rest += static_cast<long>(grid_.islands.size());
     return;
   }
+  const State before = grid_.state;
+  grid_.push = {};
   std::visit([&](auto& method) { method.step(grid_, settings_.step, book_); }, method_);
+  book_.unexplained += unexplained(*system_, before, grid_.state, settings_.step, grid_.push);
+  momentum_.include(momentum_scale(*system_, grid_.state, scales_.speed));
+  note_unexplained(momentum_, book_);
   if (!grid_.at_rest()) note_rods();
 }
 

@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "core/dynamics/momentum_balance.h"
+#include "core/model/scales.h"
 #include "core/time/motion.h"
 #include "core/time/reference/algorithm_1.h"
 #include "core/time/reference/moreau.h"
@@ -28,6 +30,8 @@ class FixedStepMotion final : public Motion {
   MotionSettings settings_;
   Method method_;
   GridPoint grid_;
+  Scales scales_;
+  MomentumScale momentum_;  ///< the largest up to now
   State between_;  ///< at `time_`, where that is no grid time; empty until it is asked for
   Bookkeeping book_;
   long whole_steps_ = 0;

@@ -8,6 +8,7 @@
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
+#include "core/dynamics/momentum_balance.h"
 
 namespace wuerfel {
 namespace {
@@ -278,7 +279,20 @@ void RattleStepper::arrive(Step& step, double t) {
   find_components(record);
   book_blows(step, record, t);
   settle_energy(record, step, t);
+  step.book.unexplained = unexplained(*system_, start_, step.state, h_, pushed());
   step.record = std::make_shared<const StepRecord>(std::move(record));
+}
+
+/// What fixed bodies did in the step.
+Push RattleStepper::pushed() const {
+  const Vec2 start = common_center(*system_, start_);
+  const Vec2 end = common_center(*system_, before_);
+  Push sum;
+  for (const auto& [id, blow] : blows_) {
+    add_push(*system_, start_, start, blow.start, blow.first, sum);
+    add_push(*system_, before_, end, blow.end, blow.second, sum);
+  }
+  return sum;
 }
 
 /// Contacts at the end of the way: what touches there, and what was pressed and is still near.

@@ -88,6 +88,7 @@ class RattleStepper {
   void fly_half(const Island& island, const IslandSolution& solution, State& state);
   void note_pressed(const Island& island, const IslandSolution& solution);
   void arrive(Step& step, double t);
+  [[nodiscard]] Push pushed() const;
   void find_touching(Step& step);
   void strike_anew(Step& step);
   void hit(Step& step);
