@@ -82,7 +82,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const Still still = compose_still(scene, still_options, stop, font);
   output.write(encode(still, asked, font));
   output.finish();
-  return verdict_on_accuracy(still.audit, 0.0, notes);
+  return still.accuracy.verdict(notes);
 }
 
 }  // namespace

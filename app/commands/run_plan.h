@@ -27,6 +27,10 @@ struct RunOptions {
   std::string forces;
   std::string events;
   std::string summary;
+  std::string checkpoint;       ///< file; empty: none
+  std::optional<double> every;  ///< s, from one checkpoint to the next
+  std::string resume;           ///< file; empty: from the start
+  bool strict = false;  ///< stop at the first violation
   bool json = false;
   bool quiet = false;
 

@@ -16,15 +16,21 @@ std::size_t bytes_of(const std::vector<T>& list) {
 
 }  // namespace
 
-Audit MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
+AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
   Simulation simulation(scene, motion);
-  simulation.set_pulse([this] { stop.check(); });
+  Progress progress(style, "simulating", instants.empty() ? 0.0 : instants.back().t, "s");
+  simulation.set_pulse([&] {
+    stop.check();
+    progress.reached(simulation.reached());
+  });
   for (const Instant& instant : instants) {
     stop.check();
     simulation.advance_to(instant.t);
     if (instant.frame) show(simulation.snapshot(request));
   }
-  return simulation.audit();
+  AccuracyWatch accuracy;
+  accuracy.look(simulation, 0.0);
+  return accuracy;
 }
 
 void MotionRange::include(const Snapshot& snapshot) {

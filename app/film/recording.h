@@ -6,8 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "app/cli/progress.h"
 #include "app/cli/stop_signal.h"
 #include "app/film/timetable.h"
+#include "app/output/accuracy.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
@@ -23,10 +25,11 @@ struct MotionSource {
   std::vector<Instant> instants;
   SnapshotRequest request;
   const StopSignal& stop;
+  Progress::Style style = Progress::Style::silent;  ///< of how far it is
 
-  /// Simulates it from the start and shows its frames; what the audit says in the end. Throws
+  /// Simulates it from the start and shows its frames; how exact it was. Throws
   /// Interrupted.
-  Audit show_frames(const std::function<void(const Snapshot&)>& show) const;
+  AccuracyWatch show_frames(const std::function<void(const Snapshot&)>& show) const;
 };
 
 /// What a whole motion tells of the arrows.

@@ -75,14 +75,15 @@ Still compose_still(const Scene& scene,
                     const StopSignal& stop,
                     Font& font) {
   const std::optional<StripLayout> layout = layout_of(options);
+  require_possible_steps(options.times.back(), options.motion);
   const std::vector<Instant> instants = instants_of(options);
   MotionSource source{scene, options.motion, instants, snapshot_request(options.picture.layers),
-                      stop};
+                      stop, Progress::style_for_stderr(false)};
   for (Instant& instant : source.instants)
     instant.frame = true;
   Recording motion(source);
   Still still;
-  still.audit = source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
+  still.accuracy = source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
 
   const PictureOptions fitted =
       fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);

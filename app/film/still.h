@@ -32,7 +32,7 @@ struct Still {
   DrawList page;
   std::vector<PlacedList> cells;  ///< of a strip
   std::vector<PngText> origin;
-  Audit audit;
+  AccuracyWatch accuracy;
 };
 
 /// Simulates up to the last of the times. Throws SceneError, RenderError,

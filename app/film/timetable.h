@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/settings.h"
+
 namespace wuerfel {
 
 /// An instant at which the simulation stops to be looked at.
@@ -20,6 +22,9 @@ struct FrameRate {
 /// How many frames there are from 0 to `end` s. Throws UsageError where they would fill memory and
 /// disk long before they were of use.
 long frame_count(double end, const FrameRate& rate);
+
+/// Throws UsageError where steps of one length could never come to `end` s.
+void require_possible_steps(double end, const MotionSettings& motion);
 
 /// Times of the frames from 0 to `end` s, both included: k / fps * speed for k = 0 .. floor(end fps
 /// / speed).

@@ -1,6 +1,7 @@
 #include "core/scene/overlap.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -99,6 +100,18 @@ std::optional<Overlap> overlap_with_plane(const Scene& scene, const std::vector<
   return std::nullopt;
 }
 
+/// Overlap of so many last digits of a coordinate is what rounding may make of touching.
+constexpr double few_digits = 16.0;
+
+/// The largest coordinate of a body, m.
+double farthest(const Scene& scene, const BodyRef& body) {
+  const auto i = static_cast<std::size_t>(body.index);
+  const Vec2& place = body.kind == BodyKind::plane   ? scene.planes[i].point
+                      : body.kind == BodyKind::fixed ? scene.fixed[i].position
+                                                     : scene.cubes[i].position;
+  return place.cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 const std::string& body_name(const Scene& scene, const BodyRef& body) {
@@ -116,8 +129,18 @@ std::optional<Overlap> find_overlap(const Scene& scene) {
 }
 
 std::string overlap_message(const Scene& scene, const Overlap& overlap) {
-  return fmt::format("\"{}\" and \"{}\" overlap by {:.6g} m", body_name(scene, overlap.second),
-                     body_name(scene, overlap.first), overlap.depth);
+  std::string text =
+      fmt::format("\"{}\" and \"{}\" overlap by {:.6g} m", body_name(scene, overlap.second),
+                  body_name(scene, overlap.first), overlap.depth);
+  const double far = std::max(farthest(scene, overlap.first), farthest(scene, overlap.second));
+  const double digit = std::numeric_limits<double>::epsilon() * far;
+  if (overlap.depth <= few_digits * digit) {
+    text += fmt::format(
+        ": coordinates of {:.3g} m have no digits below {:.1g} m, so bodies this small cannot touch "
+        "there; nearer to the origin they can",
+        far, digit);
+  }
+  return text;
 }
 
 }  // namespace wuerfel

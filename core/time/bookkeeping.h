@@ -34,6 +34,17 @@ struct Loss {
   double since = 0.0;     ///< s, of friction
 };
 
+/// What a run promises of itself.
+enum class Promise { programs, events, friction, overlap, energy, momentum };
+std::string_view to_string(Promise promise);
+
+/// A promise that was broken: within the step that begins at t, by one of these bodies.
+struct Breach {
+  Promise promise = Promise::programs;
+  double t = 0.0;  ///< s
+  std::vector<std::string> bodies;
+};
+
 /// Invariants kept book of in every run.
 struct Audit {
   double max_penetration = 0.0;   ///< m, deepest overlap of any pair at any step end
@@ -62,6 +73,10 @@ struct Audit {
   // as a share of MomentumScale (core/dynamics/momentum_balance.h).
   double momentum_linear = 0.0;
   double momentum_angular = 0.0;
+  /// The sum of what fixed bodies gave beyond the impulses of programs, where steps put energy and
+  /// gaps right; a share of the same.
+  double momentum_settled = 0.0;
+  double momentum_budget = 0.0;  ///< what the method promises of the first two; 0: nothing yet
   [[nodiscard]] double drift() const {
     return energy_end + impact_loss + friction_loss - energy_start;
   }
@@ -91,6 +106,8 @@ struct Bookkeeping {
   std::vector<Loss> losses;
   Audit audit;
   Cost cost;
+  std::vector<Breach> breaches;
+  Push settled;      ///< by fixed bodies, where steps put energy and gaps right
   Push unexplained;  ///< changes of the momenta of the cubes that nothing accounts for, up to now
 };
 

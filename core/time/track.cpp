@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/dynamics/momentum_balance.h"
+#include "core/time/promises.h"
 
 namespace wuerfel {
 namespace {
@@ -100,7 +101,7 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
   events_.start(still, t, limits, {}, found);
   if (!events_.at_rest()) return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
-  found.unexplained += unexplained(*system_, state, still, 0.0, {});
+  found.settled += unexplained(*system_, state, still, 0.0, {});
   add(found, book);
   return true;
 }
@@ -120,10 +121,21 @@ const State& Track::state() const { return stepping_ ? steps_->state() : events_
 const std::vector<char>& Track::resting() const { return stepping_ ? moving_ : events_.resting(); }
 
 void Track::advance(double limit) {
-  if (stepping_) {
-    step(limit);
-    return;
-  }
+  const Audit before = book_.audit;
+  const double t = clock();
+  stepping_ ? step(limit) : follow_events(limit);
+  if (broken_promises(book_.audit) != broken_promises(before))
+    note_breaches(before, t, moving_names(), book_);
+}
+
+std::vector<std::string> Track::moving_names() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < system_->cubes; ++i)
+    if (resting()[i] == 0) names.push_back(system_->body(i).name);
+  return names;
+}
+
+void Track::follow_events(double limit) {
   const State start = events_.state();
   const double t = events_.clock();
   const std::size_t pieces = pieces_.size();
@@ -238,7 +250,7 @@ void Track::hand_back() {
   const State state = steps_->with_closed_gaps();
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
-  book_.unexplained += unexplained(*system_, steps_->state(), state, 0.0, {});
+  book_.settled += unexplained(*system_, steps_->state(), state, 0.0, {});
   events_.start(state, clock_, {touching_share, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }

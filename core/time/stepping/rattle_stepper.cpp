@@ -278,8 +278,13 @@ void RattleStepper::arrive(Step& step, double t) {
   StepRecord record;
   find_components(record);
   book_blows(step, record, t);
+  const State unsettled = step.state;
+  step.book.unexplained = unexplained(*system_, start_, unsettled, h_, pushed());
   settle_energy(record, step, t);
-  step.book.unexplained = unexplained(*system_, start_, step.state, h_, pushed());
+  const Push settled = unexplained(*system_, unsettled, step.state, 0.0, {});
+  const bool fixed = std::ranges::any_of(
+      record.components, [](const StepComponent& part) { return !part.fixed_normals.empty(); });
+  (fixed ? step.book.settled : step.book.unexplained) += settled;
   step.record = std::make_shared<const StepRecord>(std::move(record));
 }
 
