@@ -3,17 +3,14 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/dynamics/verdict.h"
 #include "core/model/state.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 
 namespace wuerfel {
-
-enum class Verdict { stands, falls, moves, undecided };
-std::string_view to_string(Verdict verdict);
 
 struct ContactForce {
   std::string on;  ///< the body that `normal` points into

@@ -25,6 +25,9 @@ struct SnapshotBox {
   std::optional<std::array<std::uint8_t, 3>> color;  ///< RGB that the scene asks for
   Vec2 velocity = Vec2::Zero();                      ///< m/s, of the centre
   double spin = 0.0;                                 ///< rad/s
+  double mass = 0.0;                                 ///< kg; 0 of fixed boxes
+  Vec2 acceleration = Vec2::Zero();                  ///< m/s^2, filled only when asked for
+  double angular_acceleration = 0.0;                 ///< rad/s^2, likewise
 };
 
 /// A fixed half-plane.
@@ -42,7 +45,30 @@ struct SnapshotForce {
   /// Index into Snapshot::boxes of the body that is pushed, -1 if unknown: arrows move a little
   /// towards it, so that forces on neighbours at one point don't hide each other.
   int body = -1;
+  bool unique = true;  ///< no other force is possible there; known where it is asked for
   bool operator==(const SnapshotForce&) const = default;
+};
+
+/// What one body does to another through the face by which they touch: the resultant of all forces
+/// between the two, friction included. Of each pair of forces the one on the body that is carried.
+struct SnapshotJoint {
+  int body = -1;                ///< index into Snapshot::boxes of the body that `force` acts on
+  int other = -1;               ///< of the body that pushes; boxes.size() + k is the plane k
+  Vec2 from = Vec2::Zero();     ///< m, ends of the touching part of the face; equal for a corner
+  Vec2 to = Vec2::Zero();       ///< m, in the direction of perp(normal) from `from`
+  Vec2 point = Vec2::Zero();    ///< m, where the resultant acts, between the two
+  Vec2 normal = Vec2::UnitY();  ///< unit vector into `body`
+  Vec2 force = Vec2::Zero();    ///< N
+  bool unique = true;           ///< no other resultant is possible; known where it is asked for
+  bool operator==(const SnapshotJoint&) const = default;
+};
+
+/// An impact that happened a moment ago.
+struct SnapshotImpact {
+  Vec2 point = Vec2::Zero();  ///< m
+  double impulse = 0.0;       ///< N s
+  double age = 0.0;           ///< 0: just now, 1: forgotten
+  bool operator==(const SnapshotImpact&) const = default;
 };
 
 /// A rod (Stange) of a cube with its tension.
@@ -83,6 +109,9 @@ struct SnapshotSide {
 /// What a snapshot should contain beyond bodies; each costs work only where it is asked for.
 struct SnapshotRequest {
   bool forces = false;
+  bool joints = false;
+  bool unique = false;  ///< whether forces and joints are the only possible ones
+  bool accelerations = false;
   bool rods = false;
   bool rod_forces = false;
   bool points = false;
@@ -100,12 +129,17 @@ struct SnapshotTrail {
 struct Snapshot {
   double time = 0.0;  ///< s
   std::string title;
+  Vec2 gravity = Vec2::Zero();  ///< m/s^2
   double energy = 0.0;          ///< J, kinetic and potential
+  double energy_start = 0.0;    ///< J, of the motion
   double force_residual = 0.0;  ///< of the forces; as QpResidual::worst() in core/qp/qp_solver.h
   std::uint64_t revision = 0;   ///< equal revisions: equal pictures but for the time shown
   std::vector<SnapshotBox> boxes;
+  std::vector<SnapshotBox> ghosts;  ///< where cubes were before, oldest first; filled by figures
   std::vector<SnapshotPlane> planes;
   std::vector<SnapshotForce> forces;
+  std::vector<SnapshotJoint> joints;      ///< filled only when asked for
+  std::vector<SnapshotImpact> impacts;    ///< filled by films
   std::vector<SnapshotRod> rods;          ///< filled only when asked for
   std::vector<SnapshotPoint> points;      ///< filled only when asked for
   std::vector<SnapshotContact> contacts;  ///< filled only when asked for

@@ -25,7 +25,7 @@ double parse_share(const Text& text) {
 }
 
 double parse_scale(const Text& text) {
-  constexpr double largest = 100.0;
+  constexpr double largest = 8.0;  // text of 150 px
   const double value = parse_positive("--scale", text);
   if (value > largest) throw UsageError(fmt::format("--scale: {} is more than {}", text, largest));
   return value;
@@ -40,6 +40,14 @@ void add_overrides(Options& options, std::vector<Text>& overrides) {
                 [&overrides](const Text& text) { overrides.push_back(text); });
 }
 
+int parse_threads(const Text& text) {
+  constexpr double most = 1024.0;
+  const double value = parse_number("--threads", text);
+  if (value < 1.0 || value > most || value != std::floor(value))
+    throw UsageError(fmt::format("--threads: '{}' is no whole number of 1 to {}", text, most));
+  return static_cast<int>(value);
+}
+
 // Less than doubles can hold takes for ever.
 double parse_tolerance(const Text& text) {
   constexpr double smallest = 1e-15;
@@ -52,6 +60,11 @@ double parse_tolerance(const Text& text) {
 }
 
 }  // namespace
+
+void add_threads_option(Options& options, int& threads) {
+  options.single("--threads", "N", "scenes that are worked on at once [one per core]",
+                 [&threads](const Text& text) { threads = parse_threads(text); });
+}
 
 void add_scene(Options& options, SceneChoice& scene) {
   options.argument("SCENE", scene_meaning, scene.source);
@@ -87,10 +100,12 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                                   to_string(picture.layers));
   options.single("--layers", "A,B,..", layers,
                  [&picture](const Text& text) { picture.layers = parse_layers(text); });
+  options.offer("--layers", choices<Layer>());
   const Text theme =
       fmt::format("colours: {} [{}]", join_choices(choices<Theme>()), to_string(picture.theme));
   options.single("--theme", "NAME", theme,
                  [&picture](const Text& text) { picture.theme = parse_theme(text); });
+  options.offer("--theme", choices<Theme>());
   options.single(
       "--force-scale", "S[,L,F]",
       "length of force arrows in m per N, of the longest in m, and the smallest force shown "
@@ -100,6 +115,28 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                  [&picture](const Text& text) {
                    picture.velocity_scale = parse_positive("--velocity-scale", text);
                  });
+  options.single("--acceleration-scale", "S",
+                 "length of acceleration arrows in m per m/s^2 [fits the run]",
+                 [&picture](const Text& text) {
+                   picture.acceleration_scale = parse_positive("--acceleration-scale", text);
+                 });
+  options.single(
+      "--color,--colour", "BY",
+      fmt::format("what the colours of cubes tell: {} [body; load from {} cubes on]",
+                  join_choices(choices<ColorBy>()), crowd),
+      [&picture](const Text& text) { picture.color_by = parse_choice<ColorBy>("--color", text); });
+  options.single(
+      "--color-top", "N", "load in N, or speed in m/s, of the last colour [fits the run]",
+      [&picture](const Text& text) { picture.color_top = parse_positive("--color-top", text); });
+  options.single("--legend", "A,B,..",
+                 fmt::format("what the legend says of forces: any of {} [what occurs]",
+                             join_choices(choices<LegendEntry>())),
+                 [&picture](const Text& text) { picture.legend = parse_legend(text); });
+  options.single(
+      "--average", "S",
+      "forces are averages over the S seconds before, impulses included; 0: those of the "
+      "instant [the time between two frames]",
+      [&picture](const Text& text) { picture.average = parse_time("--average", text); });
   options.single(
       "--rod-scale", "N", "force in N at which rods are drawn thickest [fits the run]",
       [&picture](const Text& text) { picture.rod_scale = parse_positive("--rod-scale", text); });
@@ -114,8 +151,10 @@ void add_picture_options(Options& options, PictureOptions& picture) {
   options.single("--zoom", "Z", "show the view Z times larger [1]", [&picture](const Text& text) {
     picture.camera.zoom = parse_positive("--zoom", text);
   });
-  options.single("--scale", "S", "size of text, lines and arrow heads, 2 for a HiDPI screen [1]",
-                 [&picture](const Text& text) { picture.scale = parse_scale(text); });
+  options.single(
+      "--scale", "S",
+      "size of text, lines and arrow heads, up to 8; they grow with the picture anyway [1]",
+      [&picture](const Text& text) { picture.scale = parse_scale(text); });
 }
 
 void add_encoder_option(Options& options, PngEncoder& encoder) {

@@ -29,6 +29,7 @@ void add_choice(Options& options,
   options.single(name, "NAME", help, [name, &value](const std::string& text) {
     value = parse_choice<Enum>(name, text);
   });
+  options.offer(name, choices<Enum>());
 }
 
 /// SCENE and --set.
@@ -37,6 +38,8 @@ void add_scene(Options& options, SceneChoice& scene);
 void add_scenes(Options& options,
                 std::vector<std::string>& sources,
                 std::vector<std::string>& overrides);
+/// --threads.
+void add_threads_option(Options& options, int& threads);
 /// --formulation and --solver.
 void add_solver_options(Options& options, MotionSettings& motion);
 /// The same, --integrator, --tolerance and --step.

@@ -32,7 +32,10 @@ CLI::Option* add_value(
 }  // namespace
 
 Options::Options(const Text& command, const Text& meaning)
-    : app_(std::make_unique<CLI::App>(meaning, command)) {}
+    : app_(std::make_unique<CLI::App>(meaning, command)) {
+  app_->get_formatter()->label("Positionals", "Arguments");
+  app_->get_formatter()->label("REQUIRED", "");
+}
 
 Options::~Options() = default;
 
@@ -64,11 +67,39 @@ void Options::required_text(const Text& names, const Text& type, const Text& mea
   app_->add_option(names, value, meaning)->type_name(type)->required();
 }
 
+void Options::optional_value(const Text& name,
+                             const Text& type,
+                             const Text& meaning,
+                             std::function<bool(const Text&)> fits,
+                             Take take) {
+  optional_values_[name] = std::move(fits);
+  single(name, type, meaning, std::move(take));
+}
+
+// `--name TEXT` as `--name=TEXT`, and `--name` alone as `--name=all`: what follows is an argument.
+void Options::join_optional_values(std::vector<Text>& arguments) const {
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const auto optional = optional_values_.find(arguments[k]);
+    if (optional == optional_values_.end()) continue;
+    if (k + 1 == arguments.size() || !optional->second(arguments[k + 1])) {
+      arguments[k] += "=all";
+      continue;
+    }
+    arguments[k] += '=' + arguments[k + 1];
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+  }
+}
+
 void Options::flag(const Text& names, const Text& meaning, bool& value) {
   app_->add_flag(names, value, meaning);
 }
 
+void Options::offer(const Text& name, std::vector<Text> values) {
+  values_[name] = std::move(values);
+}
+
 bool Options::parse(std::vector<Text> arguments) {
+  join_optional_values(arguments);
   std::ranges::reverse(arguments);  // CLI11 takes them from the end
   try {
     app_->parse(std::move(arguments));
@@ -108,6 +139,24 @@ Text Options::complaint(const Text& otherwise) const {
 }
 
 Text Options::help() const { return app_->help(); }
+
+std::vector<DeclaredOption> Options::declared() const {
+  std::vector<DeclaredOption> all;
+  for (const CLI::Option* option : app_->get_options({})) {
+    if (option->get_positional()) continue;
+    DeclaredOption declared;
+    declared.type = option->get_type_size() == 0 ? "" : option->get_type_name();
+    declared.meaning = option->get_description();
+    for (const Text& name : option->get_lnames())
+      declared.names.push_back("--" + name);
+    for (const Text& name : option->get_snames())
+      declared.names.push_back("-" + name);
+    if (const auto found = values_.find(declared.names.front()); found != values_.end())
+      declared.values = found->second;
+    all.push_back(std::move(declared));
+  }
+  return all;
+}
 
 bool Options::given(const Text& name) const { return app_->count(name) > 0; }
 

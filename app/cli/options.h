@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,14 @@ class App;
 }
 
 namespace wuerfel {
+
+/// An option as it was declared, for whoever tells about it.
+struct DeclaredOption {
+  std::vector<std::string> names;   ///< "--output", "-o"
+  std::string type;                 ///< "FILE"; empty: it takes nothing
+  std::string meaning;              ///< in a few words
+  std::vector<std::string> values;  ///< all there are, where they can be counted
+};
 
 class Options {
  public:
@@ -51,7 +60,16 @@ class Options {
                      const std::string& type,
                      const std::string& meaning,
                      std::string& value);
+  /// A flag that may be followed by a text, `--name TEXT` or `--name=TEXT`, where that `fits`; else
+  /// `all` is taken, and what follows is an argument. What is behind `=` is always taken.
+  void optional_value(const std::string& name,
+                      const std::string& type,
+                      const std::string& meaning,
+                      std::function<bool(const std::string&)> fits,
+                      Take take);
   void flag(const std::string& names, const std::string& meaning, bool& value);
+  /// All values that an option takes, as completions of shells offer them.
+  void offer(const std::string& name, std::vector<std::string> values);
 
   /// False where help was asked for. Throws UsageError, with a suggestion where an option looks
   /// misspelt.
@@ -61,11 +79,16 @@ class Options {
   [[nodiscard]] std::string help() const;
   /// Whether an option was given.
   [[nodiscard]] bool given(const std::string& name) const;
+  [[nodiscard]] std::vector<DeclaredOption> declared() const;
 
  private:
   [[nodiscard]] std::string complaint(const std::string& otherwise) const;
 
+  void join_optional_values(std::vector<std::string>& arguments) const;
+
   std::unique_ptr<CLI::App> app_;
+  std::map<std::string, std::vector<std::string>> values_;
+  std::map<std::string, std::function<bool(const std::string&)>> optional_values_;  ///< what fits
 };
 
 }  // namespace wuerfel

@@ -37,15 +37,27 @@ std::string_view trimmed(std::string_view text) {
 
 Theme parse_theme(std::string_view text) { return find_name<Theme>("theme", text); }
 
-Layers parse_layers(std::string_view text) {
-  Layers layers;
+namespace {
+
+/// Names with commas between them; blanks beside the commas don't matter.
+template <typename Enum>
+EnumSet<Enum> parse_set(std::string_view kind, std::string_view text) {
+  EnumSet<Enum> set;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string_view name = trimmed(text.substr(begin, end - begin));
     begin = end + 1;
-    if (!name.empty()) layers.insert(find_name<Layer>("layer", name));
+    if (!name.empty()) set.insert(find_name<Enum>(kind, name));
   }
-  return layers;
+  return set;
+}
+
+}  // namespace
+
+Layers parse_layers(std::string_view text) { return parse_set<Layer>("layer", text); }
+
+Legend parse_legend(std::string_view text) {
+  return parse_set<LegendEntry>("entry of the legend", text);
 }
 
 StripGrid parse_strip(std::string_view text) {

@@ -16,6 +16,9 @@ Theme parse_theme(std::string_view text);
 /// "cubes,forces,hud"; blanks beside the commas don't matter.
 Layers parse_layers(std::string_view text);
 
+/// "contact,cut".
+Legend parse_legend(std::string_view text);
+
 /// "4x2", columns by rows.
 StripGrid parse_strip(std::string_view text);
 

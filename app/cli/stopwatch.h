@@ -7,17 +7,22 @@ namespace wuerfel {
 
 class Stopwatch {
  public:
-  Stopwatch();
+  /// Whose processor time counts: that of all threads of this process and of the processes it has
+  /// waited for, or of the calling thread alone.
+  enum class Of { process, thread };
+
+  explicit Stopwatch(Of whom = Of::process);
 
   /// s since construction.
   [[nodiscard]] double wall() const;
-  /// s of all threads of this process and of the processes it has waited for, since construction.
+  /// s of processor time since construction.
   [[nodiscard]] double cpu() const;
   /// s of processor time that were spent before construction: loading the program, where the watch
   /// is started first of all.
   [[nodiscard]] double cpu_before() const { return cpu_start_; }
 
  private:
+  Of whom_;
   std::chrono::steady_clock::time_point wall_start_;
   double cpu_start_ = 0.0;
 };

@@ -27,12 +27,20 @@ void say(std::string_view text) {
 
 void Notes::add(const std::string& text) {
   texts_.push_back(text);
-  if (!quiet_) say(fmt::format("wuerfel: note: {}\n", text));
+  if (voice_ != Voice::quiet) tell(fmt::format("wuerfel: note: {}\n", text));
 }
 
 void Notes::warn(const std::string& text) {
   texts_.push_back(text);
-  say(fmt::format("wuerfel: {}\n", text));
+  tell(fmt::format("wuerfel: {}\n", text));
+}
+
+void Notes::tell(std::string line) {
+  if (voice_ == Voice::later) {
+    unsaid_.push_back(std::move(line));
+  } else {
+    say(line);
+  }
 }
 
 }  // namespace wuerfel

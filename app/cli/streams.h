@@ -15,18 +15,26 @@ void hold_standard_streams();
 /// Writes to standard error; where that cannot be written nothing happens.
 void say(std::string_view text);
 
-/// What was asked for and is not done, and why. Every note is said at once, unless quiet.
+/// What was asked for and is not done, and why.
 class Notes {
  public:
-  explicit Notes(bool quiet = false) : quiet_(quiet) {}
+  /// When notes are said: at once, never, or by somebody else when their turn has come.
+  enum class Voice { at_once, quiet, later };
+
+  explicit Notes(Voice voice = Voice::at_once) : voice_(voice) {}
   void add(const std::string& text);
   /// Of what went wrong: said even where it is quiet.
   void warn(const std::string& text);
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
+  /// Lines for standard error that nobody has said yet.
+  [[nodiscard]] const std::vector<std::string>& unsaid() const { return unsaid_; }
 
  private:
-  bool quiet_;
+  void tell(std::string line);
+
+  Voice voice_;
   std::vector<std::string> texts_;
+  std::vector<std::string> unsaid_;
 };
 
 }  // namespace wuerfel

@@ -9,6 +9,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/scene_source.h"
+#include "app/cli/streams.h"
 
 namespace wuerfel {
 
@@ -24,12 +25,21 @@ struct AnswerForm {
   bool one_line = false;
 };
 
-/// Answers one scene after the other on standard output. Where there are several, one that fails is
-/// answered by what went wrong, {"error": ..} as JSON, and the others go on. The largest exit code;
-/// throws what the only scene throws, and OutputError.
-ExitCode for_each_scene(const std::vector<std::string>& sources,
-                        bool json,
-                        const std::function<Answer(const SceneText&, AnswerForm)>& answer);
+/// The scenes of a command and how they are answered.
+struct Batch {
+  std::vector<std::string> sources;
+  bool json = false;
+  bool quiet = false;  ///< no notes
+  int threads = 0;     ///< that answer several scenes at once; 0: one per core
+};
+
+using AnswerScene = std::function<Answer(const SceneText&, AnswerForm, Notes&)>;
+
+/// Answers the scenes on standard output in their order, several at once where there are threads:
+/// the same text for any number of them. Where there are several scenes, one that fails is answered
+/// by what went wrong, {"error": ..} as JSON, and the others go on. The largest exit code; throws
+/// what the only scene throws, OutputError and Interrupted.
+ExitCode for_each_scene(const Batch& batch, const AnswerScene& answer);
 
 /// As text that ends its line: on one line, or indented.
 std::string json_text(const nlohmann::ordered_json& json, AnswerForm form);

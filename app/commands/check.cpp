@@ -11,6 +11,8 @@
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
+#include "app/commands/statics_options.h"
+#include "app/words/explanation.h"
 
 namespace wuerfel {
 
@@ -22,7 +24,9 @@ struct CheckOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> overrides;
   MotionSettings motion;
+  StaticsRequest statics;
   bool json = false;
+  int threads = 0;
 };
 
 Json check_json(const Scene& scene, const Check& answer) {
@@ -107,9 +111,17 @@ std::string moving_at_start(const Scene& scene) {
   return names;
 }
 
-// For people: the verdict, who accelerates most, and what presses where.
-std::string check_text(const Scene& scene, const Check& answer) {
+// The first part that fails, if any does alone.
+std::string cause_text(const Scene& scene, const MotionSettings& motion) {
+  const StillScene still = still_scene(scene, motion);
+  const std::optional<Cause> cause = first_cause(still);
+  return cause ? cause_sentence(still, *cause, Language::en) + "\n" : "";
+}
+
+// For people: the verdict, why, who accelerates most, and what presses where.
+std::string check_text(const Scene& scene, const MotionSettings& motion, const Check& answer) {
   std::string text = fmt::format("{}\n", to_string(answer.verdict));
+  if (answer.verdict == Verdict::falls) text += cause_text(scene, motion);
   if (answer.verdict == Verdict::falls || answer.verdict == Verdict::undecided)
     text += fastest_text(scene, answer);
   if (answer.verdict == Verdict::moves)
@@ -132,11 +144,17 @@ std::string check_text(const Scene& scene, const Check& answer) {
 
 std::string answer_text(const std::string& name,
                         const Scene& scene,
+                        const MotionSettings& motion,
                         const Check& answer,
+                        const StaticsAnswer& statics,
                         AnswerForm form) {
-  if (form.json) return json_text(check_json(scene, answer), form);
+  if (form.json) {
+    Json json = check_json(scene, answer);
+    statics.add_to(json);
+    return json_text(json, form);
+  }
   if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
-  return check_text(scene, answer);
+  return check_text(scene, motion, answer) + statics.text();
 }
 
 ExitCode exit_code(Verdict verdict) {
@@ -158,14 +176,18 @@ Action declare_check(Options& options) {
   auto asked = std::make_shared<CheckOptions>();
   add_scenes(options, asked->scenes, asked->overrides);
   options.flag("--json", "print the answer as JSON", asked->json);
+  add_statics_options(options, asked->statics);
+  add_threads_option(options, asked->threads);
   add_solver_options(options, asked->motion);
   return [asked, &options](const Stopwatch&) {
-    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
+    const Batch batch{.sources = asked->scenes, .json = asked->json, .threads = asked->threads};
+    return for_each_scene(batch, [&](const SceneText& text, AnswerForm form, Notes& notes) {
       const Scene scene = parse(text, asked->overrides);
-      Notes notes;
       note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);
-      return Answer{exit_code(answer.verdict), answer_text(text.name, scene, answer, form)};
+      const StaticsAnswer statics(scene, asked->motion, asked->statics, answer.verdict, notes);
+      return Answer{exit_code(answer.verdict),
+                    answer_text(text.name, scene, asked->motion, answer, statics, form)};
     });
   };
 }

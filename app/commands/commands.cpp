@@ -16,14 +16,20 @@ constexpr std::array commands{
     Command{"run", "simulate a scene and write frames, films and tables", declare_run},
     Command{"check", "tell whether a scene stands: exit 0 stands, 1 falls or moves, 3 undecided",
             declare_check},
+    Command{"explain", "tell why a scene falls and what would help, or how nearly it stands",
+            declare_explain},
     Command{"figure", "draw one instant, or a strip of several", declare_figure},
     Command{"compare",
             "tell whether pictures, or folders of them, are the same: exit 0 same, 1 differs",
             declare_compare},
     Command{"reproduce", "make a picture again from what it carries: exit 0 same, 1 differs",
             declare_reproduce},
+    Command{"replay", "solve programs again that a run could not: exit 0 solved, 3 not",
+            declare_replay},
     Command{"scenes", "list the scenes that come along, or print one", declare_scenes},
     Command{"schema", "print the JSON Schema of scenes", declare_schema},
+    Command{"completions", "print what teaches bash, zsh or fish these commands and options",
+            declare_completions},
 };
 
 std::string help() {

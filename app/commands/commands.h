@@ -33,10 +33,13 @@ ExitCode run_command(const std::vector<std::string>& arguments, const Stopwatch&
 // Each in the file of its name.
 Action declare_run(Options& options);
 Action declare_check(Options& options);
+Action declare_explain(Options& options);
 Action declare_figure(Options& options);
 Action declare_compare(Options& options);
 Action declare_reproduce(Options& options);
+Action declare_replay(Options& options);
 Action declare_scenes(Options& options);
 Action declare_schema(Options& options);
+Action declare_completions(Options& options);
 
 }  // namespace wuerfel

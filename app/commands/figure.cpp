@@ -103,6 +103,8 @@ Action declare_figure(Options& options) {
       "picture: .png, sharp at any size .svg .pdf, or - for a PNG on standard output",
       asked->output);
   add_picture_options(options, asked->still.picture);
+  add_choice(options, "--fit", "what view and scales fit: the whole motion, as in its film, or",
+             asked->still.picture.fit);
   add_encoder_option(options, asked->still.picture.encoder);
   add_motion_options(options, asked->still.motion);
   return [asked, &options](const Stopwatch&) { return figure(*asked, options); };

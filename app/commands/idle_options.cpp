@@ -70,7 +70,11 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
     if (!layers.has(layer))
       note_idle(options, {name}, fmt::format("without the layer {}", to_string(layer)), notes);
   };
-  without(Layer::forces, "--force-scale");
+  if (!layers.has(Layer::contact_forces) && !layers.has(Layer::weights)
+      && !layers.has(Layer::joints))
+    without(Layer::forces, "--force-scale");
+  without(Layer::forces, "--average");
+  without(Layer::accelerations, "--acceleration-scale");
   without(Layer::velocities, "--velocity-scale");
   without(Layer::rod_forces, "--rod-scale");
 }

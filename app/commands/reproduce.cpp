@@ -38,7 +38,7 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   Options options("", "");
   add_picture_options(options, made_with.picture);
   add_motion_options(options, made_with.motion);
-  add_rate_options(options, made_with.trail_rate);
+  add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
   options.parse_line(text);
   return made_with;
@@ -48,7 +48,9 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
 
 // What a picture says of itself is not drawn where it cannot be right: that would take memory and
 // time for nothing.
-void require_honest(const PngFile& picture, const StillOptions& made_with, const std::string& path) {
+void require_honest(const PngFile& picture,
+                    const StillOptions& made_with,
+                    const std::string& path) {
   const auto [width, height] = made_with.picture.size;
   if (picture.image.width() != width || picture.image.height() != height) {
     throw UsageError(fmt::format("{}: it has {}x{} pixels and says that they are {}x{}", path,

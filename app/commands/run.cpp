@@ -12,6 +12,8 @@
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
 #include "app/commands/run_books.h"
+#include "app/output/program_file.h"
+#include "core/dynamics/missed_programs.h"
 #include "core/time/restart_point.h"
 
 namespace wuerfel {
@@ -40,6 +42,7 @@ struct Job {
   const Scene& scene;
   RunPlan plan;
   Stopwatch since_start;
+  const StopSignal& stop;
 };
 
 /// Where the simulation begins: at the start, or where a checkpoint stopped it.
@@ -59,16 +62,18 @@ std::size_t repeat(const Job& job,
   std::size_t next = 0;
   const auto& instants = job.plan.instants;
   for (; k < instants.size() && instants[k].t < simulation.time(); ++k) {
-    if (!instants[k].frame && !instants[k].sample) continue;
+    if (!is_seen(instants[k])) continue;
     if (next == moments.size() || moments[next].t != instants[k].t) break;
     books.take(instants[k], simulation, moments[next++]);
   }
-  const bool all = next == moments.size() && (k == instants.size() || instants[k].t >= simulation.time());
+  const bool all =
+      next == moments.size() && (k == instants.size() || instants[k].t >= simulation.time());
   if (!all) {
-    throw UsageError(fmt::format(
-        "--resume: {} was made at other times; --until, --fps, --speed and --sample have to be those "
-        "of the run that it belongs to",
-        job.asked.resume));
+    throw UsageError(
+        fmt::format("--resume: {} was made at other times; --until, --fps, --speed and --sample "
+                    "have to be those "
+                    "of the run that it belongs to",
+                    job.asked.resume));
   }
   return k;
 }
@@ -88,13 +93,12 @@ void simulate(const Job& job,
     const Instant& instant = job.plan.instants[k];
     simulation.advance_to(instant.t);
     progress.reached(instant.t);
-    const bool seen = instant.frame || instant.sample;
-    if (seen) {
+    if (is_seen(instant)) {
       const Moment moment = simulation.moment();
       books.take(instant, simulation, moment);
       keeper.add(moment);
     }
-    if (seen || strict) accuracy.look(simulation, books.worst_force());
+    if (instant.frame || instant.sample || strict) accuracy.look(simulation, books.worst_force());
     if (strict && accuracy.first()) break;
     if (instant.t < due) continue;
     keeper.write(accuracy);
@@ -104,20 +108,24 @@ void simulate(const Job& job,
 }
 
 Answer run(const Job& job, AnswerForm form, Notes& notes) {
-  const auto& [asked, scene, plan, since_start] = job;
-  const StopSignal stop;
+  const auto& [asked, scene, plan, since_start, stop] = job;
   const std::string origin = checkpoint_origin(scene, asked.motion);
   Checkpoint resumed;
   if (!asked.resume.empty()) resumed = read_checkpoint(asked.resume, origin);
+  std::optional<ProgramFile> failed;
+  if (!asked.failed_programs.empty()) failed.emplace(asked.failed_programs);
+  const MissedProgramListener listener([&failed](const QuadraticProgram& program) {
+    if (failed) failed->add(program);
+  });
   Simulation simulation = begin(job, resumed);
 
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&stop] { stop.check(); };
-  const MotionSource source{scene, asked.motion, plan.instants, plan.request, stop};
+  const MotionSource source{scene, asked.motion, plan.instants, plan.request, plan.back, stop};
   RunBooks books(asked, plan, source, animation);
   SummaryFile summary_file(asked.summary);
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
-  const Stopwatch watch;
+  const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
   Progress progress(style, "simulating", plan.end, "s");
   simulation.set_pulse([&] {
@@ -132,6 +140,7 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
     simulate(job, first, simulation, books, keeper, accuracy, progress);
     progress.end();
     books.finish(simulation, style);
+    if (failed) failed->finish();
   } catch (const Interrupted&) {
     keeper.write(accuracy);
     throw;
@@ -148,18 +157,22 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   return {code, form.json ? json_text(summary, form) : ""};
 }
 
-Answer answer(const RunOptions& asked,
-              const Options& options,
-              const SceneText& text,
-              AnswerForm form,
-              const Stopwatch& since_start) {
+/// What holds for all scenes of the command.
+struct Errand {
+  const RunOptions& asked;
+  const Options& options;
+  const Stopwatch& since_start;
+  const StopSignal& stop;
+};
+
+Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Notes& notes) {
+  const auto& [asked, options, since_start, stop] = errand;
   if (form.one_line && !asked.files().empty())
     throw UsageError("files are written for one scene at a time; for several there is --json");
-  Notes notes(asked.quiet);
   note_idle_options(asked, options, notes);
   const Scene scene = parse(text, asked.overrides);
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
-  return run({asked, scene, make_plan(asked, scene), since_start}, form, notes);
+  return run({asked, scene, make_plan(asked, scene), since_start, stop}, form, notes);
 }
 
 void declare_outputs(Options& options, RunOptions& asked) {
@@ -183,16 +196,19 @@ void declare_outputs(Options& options, RunOptions& asked) {
   options.text("--forces", "FILE", "contact forces at the frame times as CSV", asked.forces);
   options.text("--events", "FILE", "events as JSON lines", asked.events);
   options.text("--summary", "FILE", "the summary as JSON", asked.summary);
+  options.text("--failed-programs", "FILE",
+               "programs that missed their tolerance, for `wuerfel replay`", asked.failed_programs);
   options.text("--checkpoint", "FILE", "keep here what the run can be taken up again from",
                asked.checkpoint);
-  options.single("--every", "S",
-                 "simulated time from one checkpoint to the next in s [a tenth of the run]",
-                 [&asked](const std::string& text) { asked.every = parse_positive("--every", text); });
+  options.single(
+      "--every", "S", "simulated time from one checkpoint to the next in s [a tenth of the run]",
+      [&asked](const std::string& text) { asked.every = parse_positive("--every", text); });
   options.text("--resume", "FILE", "go on from such a checkpoint, with the same scene and options",
                asked.resume);
   options.flag("--strict", "stop where the error budget is exceeded first", asked.strict);
   options.flag("--json", "print the summary as JSON", asked.json);
   options.flag("--quiet", "no progress and no notes", asked.quiet);
+  add_threads_option(options, asked.threads);
 }
 
 }  // namespace
@@ -206,9 +222,12 @@ Action declare_run(Options& options) {
   add_motion_options(options, asked->motion);
   return [asked, &options](const Stopwatch& since_start) {
     require_distinct_outputs(*asked);
-    return for_each_scene(asked->scenes, asked->json, [&](const SceneText& text, AnswerForm form) {
-      return answer(*asked, options, text, form, since_start);
-    });
+    const StopSignal stop;
+    const Errand errand{*asked, options, since_start, stop};
+    return for_each_scene({asked->scenes, asked->json, asked->quiet, asked->threads},
+                          [&errand](const SceneText& text, AnswerForm form, Notes& notes) {
+                            return answer(errand, text, form, notes);
+                          });
   };
 }
 

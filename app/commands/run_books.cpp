@@ -11,21 +11,23 @@ RunBooks::RunBooks(const RunOptions& asked,
                    const MotionSource& source,
                    const AnimationSettings& animation)
     : asked_(asked),
-      plan_(plan),
       scene_(source.scene),
       pictures_(asked.outputs, animation),
       tables_(asked.states, asked.forces, asked.events),
+      taker_(plan.request, plan.back),
       film_(asked.picture, asked.rate, source, pictures_) {}
 
 void RunBooks::take(const Instant& instant, const Simulation& simulation, const Moment& moment) {
   if (instant.sample) samples_.push_back({instant.t, moment.state});
-  if (!instant.frame) return;
-  tables_.add_states(instant.t, scene_, moment.state);
+  if (instant.frame) tables_.add_states(instant.t, scene_, moment.state);
   if (asked_.forces.empty() && pictures_.empty()) return;
-  Snapshot snapshot = simulation.snapshot(moment, plan_.request);
-  tables_.add_forces(snapshot);
-  if (!asked_.forces.empty()) worst_force_ = std::max(worst_force_, snapshot.force_residual);
-  if (!pictures_.empty()) film_.add(std::move(snapshot));
+  std::optional<Snapshot> snapshot = taker_.take(simulation, moment, instant);
+  if (!snapshot) return;
+  tables_.add_forces(*snapshot);
+  if (!asked_.forces.empty()) worst_force_ = std::max(worst_force_, snapshot->force_residual);
+  // What only a table asked for is not seen.
+  if (!asked_.picture.layers.has(Layer::contact_forces)) snapshot->forces.clear();
+  if (!pictures_.empty()) film_.add(std::move(*snapshot));
 }
 
 void RunBooks::finish(const Simulation& simulation, Progress::Style style) {

@@ -7,6 +7,7 @@
 
 #include "app/commands/run_plan.h"
 #include "app/film/film.h"
+#include "app/film/frame_taker.h"
 #include "app/output/checkpoint.h"
 #include "app/output/summary.h"
 #include "app/output/tables.h"
@@ -36,10 +37,10 @@ class RunBooks {
 
  private:
   const RunOptions& asked_;
-  const RunPlan& plan_;
   const Scene& scene_;
   PictureOutputs pictures_;
   Tables tables_;
+  FrameTaker taker_;
   Film film_;
   std::vector<Sample> samples_;
   double worst_force_ = 0.0;
@@ -60,8 +61,8 @@ class CheckpointKeeper {
  private:
   std::string path_;
   std::string origin_;
-  Checkpoint kept_;               ///< up to the last restart
-  std::vector<Moment> since_;     ///< moments after it
+  Checkpoint kept_;            ///< up to the last restart
+  std::vector<Moment> since_;  ///< moments after it
   bool written_ = false;
 };
 

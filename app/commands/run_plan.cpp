@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -64,7 +65,8 @@ void require_body(const Camera& camera, const Scene& scene) {
 
 std::vector<std::string> RunOptions::files() const {
   std::vector<std::string> names = outputs;
-  for (const std::string* file : {&states, &forces, &events, &summary, &checkpoint})
+  for (const std::string* file :
+       {&states, &forces, &events, &summary, &failed_programs, &checkpoint})
     if (!file->empty()) names.push_back(*file);
   return names;
 }
@@ -90,7 +92,12 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   const std::vector<double> frames = frames_until(plan.end, asked);
   plan.instants = timetable(plan.end, frames, asked.samples,
                             frames.empty() ? marks_until(plan.end, asked) : std::vector<double>{});
-  if (!asked.outputs.empty()) plan.request = snapshot_request(asked.picture.layers);
+  if (!asked.outputs.empty()) {
+    plan.request = snapshot_request(asked.picture, scene.cubes.size());
+    plan.back = look_back(asked.picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);
+    plan.instants =
+        with_looks(std::move(plan.instants), plan.request.joints ? plan.back.average : 0.0);
+  }
   if (!asked.forces.empty()) plan.request.forces = true;
   return plan;
 }

@@ -27,12 +27,14 @@ struct RunOptions {
   std::string forces;
   std::string events;
   std::string summary;
+  std::string failed_programs;
   std::string checkpoint;       ///< file; empty: none
   std::optional<double> every;  ///< s, from one checkpoint to the next
   std::string resume;           ///< file; empty: from the start
-  bool strict = false;  ///< stop at the first violation
+  bool strict = false;          ///< stop at the first violation
   bool json = false;
   bool quiet = false;
+  int threads = 0;  ///< for several scenes; 0: one per core
 
   [[nodiscard]] bool tables() const { return !states.empty() || !forces.empty(); }
   /// Names of all files and folders that are asked for.
@@ -46,6 +48,7 @@ struct RunPlan {
   double end = 0.0;               ///< s
   std::vector<Instant> instants;  ///< when to look
   SnapshotRequest request;        ///< and at what
+  LookBack back;                  ///< and how far back pictures do
 };
 
 /// Throws UsageError where the options do not fit the scene.

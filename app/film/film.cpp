@@ -13,7 +13,10 @@ Film::Film(const PictureOptions& picture,
            const FrameRate& rate,
            const MotionSource& source,
            PictureOutputs& outputs)
-    : picture_(picture), rate_(rate), source_(source), outputs_(outputs), recording_(source) {}
+    : picture_(picture), rate_(rate), source_(source), outputs_(outputs), recording_(source) {
+  picture_.average = source.back.average;
+  picture_.color_by = color_by(picture, source.scene.cubes.size());
+}
 
 void Film::open_pipeline() {
   fitted_ = fit_to_motion(picture_, recording_);

@@ -40,7 +40,7 @@ class Film {
   void draw(const Snapshot& snapshot);
   void draw_recording(Progress::Style style);
 
-  const PictureOptions& picture_;
+  PictureOptions picture_;
   const FrameRate& rate_;
   const MotionSource& source_;
   PictureOutputs& outputs_;

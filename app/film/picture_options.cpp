@@ -1,6 +1,7 @@
 #include "app/film/picture_options.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -11,27 +12,38 @@ namespace wuerfel {
 namespace {
 
 constexpr double longest_velocity_arrow = 1.5;  // typical sides of a cube
+constexpr double gravity_arrow = 0.5;           // likewise, of an acceleration of g
+constexpr double longest_acceleration_arrow = 1.0;
+constexpr double impact_memory = 0.15;  // s of the film
 
-Insets insets_of(const PictureOptions& options) {
-  FrameOptions frame;
-  frame.layers = options.layers;
-  frame.scale = options.scale;
-  return frame_insets(make_style(options.theme), frame, options.size.width, options.size.height);
+bool draws_forces(Layers layers) {
+  return layers.has(Layer::forces) || layers.has(Layer::contact_forces) || layers.has(Layer::joints)
+         || layers.has(Layer::weights);
 }
 
 // Everything from the first frame to the last, arrows too.
-Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
-  const bool arrows = options.layers.has(Layer::forces) && options.force_scale;
+Bounds bounds_of(const PictureOptions& options, const Recording& motion) {
+  const bool arrows = draws_forces(options.layers) && options.force_scale;
   const ForceScale scale = arrows ? *options.force_scale->whole : ForceScale{};
-  const double arrow_per_speed = options.velocity_scale.value_or(0.0);
   Bounds bounds;
   motion.for_each([&](const Snapshot& snapshot) {
     bounds.include(snapshot, scale);
-    if (!options.layers.has(Layer::velocities)) return;
-    for (const SnapshotBox& box : snapshot.boxes)
-      bounds.include(Vec2(box.center + arrow_per_speed * box.velocity));
+    for (const SnapshotBox& box : snapshot.boxes) {
+      if (options.layers.has(Layer::velocities))
+        bounds.include(Vec2(box.center + options.velocity_scale.value_or(0.0) * box.velocity));
+      if (options.layers.has(Layer::accelerations))
+        bounds.include(
+            Vec2(box.center + options.acceleration_scale.value_or(0.0) * box.acceleration));
+    }
   });
-  const View view = fit_view(bounds, options.size.width, options.size.height, insets_of(options));
+  return bounds;
+}
+
+Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
+  const auto [width, height] = options.size;
+  const Insets insets =
+      frame_insets(make_style(options.theme), frame_options(options), width, height);
+  const View view = fit_view(bounds_of(options, motion), width, height, insets);
   Camera camera;
   camera.kind = Camera::Kind::fixed;
   camera.center = view.center;
@@ -39,7 +51,47 @@ Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
   return camera;
 }
 
+void fit_force_scale(PictureOptions& options, const ForceRange& range) {
+  if (!options.force_scale) {
+    const ForceScale scale = range.scale();
+    if (scale.metres_per_newton > 0.0) options.force_scale = {scale.metres_per_newton, scale};
+  } else if (!options.force_scale->whole) {
+    options.force_scale->whole = fixed_force_scale(options.force_scale->metres_per_newton, range);
+  }
+}
+
+// Accelerations are compared with that of free fall.
+std::optional<double> fitted_acceleration_scale(const MotionRange& range) {
+  const double most = range.largest_acceleration;
+  if (!(most > 0.0)) return std::nullopt;
+  const double side = range.forces.typical_side();
+  const double scale = longest_acceleration_arrow * side / most;
+  return range.gravity > 0.0 ? std::min(scale, gravity_arrow * side / range.gravity) : scale;
+}
+
+// Pixels per metre are known now.
+Legend fitted_legend(const PictureOptions& options, const MotionRange& range) {
+  Legend legend = range.seen;
+  legend.insert(LegendEntry::contact);
+  if (!options.force_scale) return legend;
+  const ForceScale& scale = *options.force_scale->whole;
+  if (range.forces.cuts(scale)) legend.insert(LegendEntry::cut);
+  const double smallest = range.forces.smallest();
+  if (smallest > 0.0 && smallest < scale.hidden_below) legend.insert(LegendEntry::hidden);
+  return legend;
+}
+
 }  // namespace
+
+std::string_view to_string(Fit fit) {
+  switch (fit) {
+    case Fit::motion:
+      return "motion";
+    case Fit::instant:
+      return "instant";
+  }
+  return "?";
+}
 
 ForceScaleChoice parse_force_scale(std::string_view text) {
   const std::vector<double> numbers = parse_numbers("--force-scale", text);
@@ -56,29 +108,36 @@ ForceScaleChoice parse_force_scale(std::string_view text) {
 
 bool needs_whole_motion(const PictureOptions& options) {
   const Layers layers = options.layers;
-  return options.camera.kind == Camera::Kind::fit
-         || (layers.has(Layer::forces) && !options.force_scale)
+  const bool scaled = options.color_by == ColorBy::load || options.color_by == ColorBy::speed;
+  return options.camera.kind == Camera::Kind::fit || (draws_forces(layers) && !options.force_scale)
+         || (draws_forces(layers) && !options.legend)
          || (layers.has(Layer::velocities) && !options.velocity_scale)
-         || (layers.has(Layer::rod_forces) && !options.rod_scale);
+         || (layers.has(Layer::accelerations) && !options.acceleration_scale)
+         || (layers.has(Layer::rod_forces) && !options.rod_scale) || (scaled && !options.color_top);
 }
 
 PictureOptions fit_to_motion(PictureOptions options, const Recording& motion) {
   const MotionRange& range = motion.range();
-  if (options.layers.has(Layer::forces)) {
-    if (!options.force_scale) {
-      const ForceScale scale = range.forces.scale();
-      if (scale.metres_per_newton > 0.0) options.force_scale = {scale.metres_per_newton, scale};
-    } else if (!options.force_scale->whole) {
-      options.force_scale->whole =
-          fixed_force_scale(options.force_scale->metres_per_newton, range.forces);
-    }
-  }
-  if (options.layers.has(Layer::velocities) && !options.velocity_scale && range.fastest > 0.0)
+  const Layers layers = options.layers;
+  if (draws_forces(layers)) fit_force_scale(options, range.forces);
+  if (draws_forces(layers) && !options.legend) options.legend = fitted_legend(options, range);
+  if (layers.has(Layer::velocities) && !options.velocity_scale && range.fastest > 0.0)
     options.velocity_scale = longest_velocity_arrow * range.forces.typical_side() / range.fastest;
-  if (options.layers.has(Layer::rod_forces) && !options.rod_scale && range.largest_rod > 0.0)
+  if (layers.has(Layer::accelerations) && !options.acceleration_scale)
+    options.acceleration_scale = fitted_acceleration_scale(range);
+  if (layers.has(Layer::rod_forces) && !options.rod_scale && range.largest_rod > 0.0)
     options.rod_scale = range.largest_rod;
+  if (!options.color_top && options.color_by == ColorBy::load && range.largest_load > 0.0)
+    options.color_top = range.largest_load;
+  if (!options.color_top && options.color_by == ColorBy::speed && range.fastest > 0.0)
+    options.color_top = range.fastest;
   if (options.camera.kind == Camera::Kind::fit) options.camera = fitted_camera(options, motion);
   return options;
+}
+
+ColorBy color_by(const PictureOptions& options, std::size_t cubes) {
+  const bool loads = cubes >= crowd && options.layers.has(Layer::forces);
+  return options.color_by.value_or(loads ? ColorBy::load : ColorBy::body);
 }
 
 FrameOptions frame_options(const PictureOptions& fitted) {
@@ -87,7 +146,11 @@ FrameOptions frame_options(const PictureOptions& fitted) {
   frame.scale = fitted.scale;
   if (fitted.force_scale) frame.force_scale = fitted.force_scale->whole.value_or(ForceScale{});
   frame.metres_per_speed = fitted.velocity_scale.value_or(0.0);
+  frame.metres_per_acceleration = fitted.acceleration_scale.value_or(0.0);
   frame.full_rod_force = fitted.rod_scale.value_or(0.0);
+  frame.coloring = {fitted.color_by.value_or(ColorBy::body), fitted.color_top.value_or(0.0)};
+  frame.legend = fitted.legend.value_or(frame.legend);
+  frame.interval = fitted.average.value_or(0.0);
   return frame;
 }
 
@@ -106,17 +169,36 @@ std::string option_text(const PictureOptions& fitted) {
                         scale.hidden_below);
   }
   if (fitted.velocity_scale) text += fmt::format(" --velocity-scale {}", *fitted.velocity_scale);
+  if (fitted.acceleration_scale)
+    text += fmt::format(" --acceleration-scale {}", *fitted.acceleration_scale);
   if (fitted.rod_scale) text += fmt::format(" --rod-scale {}", *fitted.rod_scale);
+  if (fitted.color_by) text += fmt::format(" --color {}", to_string(*fitted.color_by));
+  if (fitted.color_top) text += fmt::format(" --color-top {}", *fitted.color_top);
+  if (fitted.legend) text += fmt::format(" --legend {}", to_string(*fitted.legend));
+  if (fitted.average) text += fmt::format(" --average {}", *fitted.average);
   return text;
 }
 
-SnapshotRequest snapshot_request(Layers layers) {
-  return {.forces = layers.has(Layer::forces),
+SnapshotRequest snapshot_request(const PictureOptions& options, std::size_t cubes) {
+  const Layers layers = options.layers;
+  const ColorBy by = color_by(options, cubes);
+  const bool joints = layers.has(Layer::forces) || layers.has(Layer::joints)
+                      || layers.has(Layer::thrust) || by == ColorBy::load || by == ColorBy::island;
+  const bool forces = layers.has(Layer::contact_forces);
+  return {.forces = forces,
+          .joints = joints,
+          .unique = (forces || layers.has(Layer::forces)) && cubes < crowd,
+          .accelerations = layers.has(Layer::accelerations),
           .rods = layers.has(Layer::rods) || layers.has(Layer::rod_forces),
           .rod_forces = layers.has(Layer::rod_forces),
           .points = layers.has(Layer::points),
           .contacts = layers.has(Layer::contacts) || layers.has(Layer::normals),
           .sides = layers.has(Layer::sides)};
+}
+
+LookBack look_back(const PictureOptions& options, double interval, double speed) {
+  if (!options.layers.has(Layer::forces)) return {};
+  return {options.average.value_or(interval), impact_memory * speed};
 }
 
 AnimationSettings animation_settings(const PictureOptions& options,

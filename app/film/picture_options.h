@@ -25,6 +25,10 @@ struct ForceScaleChoice {
   std::optional<ForceScale> whole;  ///< where the longest and the smallest arrow were told, too
 };
 
+/// What view and scales fit where they are not given.
+enum class Fit { motion, instant };
+std::string_view to_string(Fit fit);
+
 struct PictureOptions {
   PixelSize size;
   double scale = 1.0;  ///< HiDPI factor on text and lines
@@ -33,8 +37,14 @@ struct PictureOptions {
   Camera camera;
   std::optional<ForceScaleChoice> force_scale;  ///< none: fits the run, as do the next two
   std::optional<double> velocity_scale;         ///< m of arrow per m/s
+  std::optional<double> acceleration_scale;     ///< m of arrow per m/s^2
   std::optional<double> rod_scale;              ///< N that make a rod as thick as it gets
-  PngEncoder encoder = PngEncoder::isa_l;       ///< changes files, not pictures
+  std::optional<ColorBy> color_by;  ///< none: its own for each body, the load in a crowd
+  std::optional<double> color_top;  ///< N or m/s at the end of the scale of colours
+  std::optional<Legend> legend;
+  std::optional<double> average;  ///< s, that forces are averaged over; none: a film's interval
+  Fit fit = Fit::motion;
+  PngEncoder encoder = PngEncoder::isa_l;  ///< changes files, not pictures
 };
 
 /// "S" or "S,LONGEST,SMALLEST". Throws UsageError.
@@ -47,6 +57,9 @@ bool needs_whole_motion(const PictureOptions& options);
 /// alone as if it stood in the film.
 PictureOptions fit_to_motion(PictureOptions options, const Recording& motion);
 
+/// What colours mean where it was not said: loads in a crowd.
+ColorBy color_by(const PictureOptions& options, std::size_t cubes);
+
 /// What pictures of fitted options are drawn by.
 FrameOptions frame_options(const PictureOptions& fitted);
 
@@ -56,8 +69,11 @@ View view_of(const PictureOptions& fitted, const Snapshot& snapshot);
 /// The options as they would be written on the command line, every number in full.
 std::string option_text(const PictureOptions& fitted);
 
-/// What the layers need to know of the physics.
-SnapshotRequest snapshot_request(Layers layers);
+/// What pictures of so many cubes need to know of the physics.
+SnapshotRequest snapshot_request(const PictureOptions& options, std::size_t cubes);
+
+/// How far pictures look back that stand for `interval` s of a motion, at a speed.
+LookBack look_back(const PictureOptions& options, double interval, double speed);
 
 /// How a film of these pictures is encoded.
 AnimationSettings animation_settings(const PictureOptions& options, double fps, const Scene& scene);

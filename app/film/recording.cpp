@@ -23,13 +23,21 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
     stop.check();
     progress.reached(simulation.reached());
   });
+  FrameTaker taker(request, back);
+  AccuracyWatch accuracy;
+  bool looked = false;
   for (const Instant& instant : instants) {
     stop.check();
     simulation.advance_to(instant.t);
-    if (instant.frame) show(simulation.snapshot(request));
+    if (is_seen(instant)) {
+      if (const auto snapshot = taker.take(simulation, simulation.moment(), instant))
+        show(*snapshot);
+    }
+    if (!instant.sample) continue;
+    accuracy.look(simulation, 0.0);
+    looked = true;
   }
-  AccuracyWatch accuracy;
-  accuracy.look(simulation, 0.0);
+  if (!looked) accuracy.look(simulation, 0.0);
   return accuracy;
 }
 
@@ -39,11 +47,22 @@ void MotionRange::include(const Snapshot& snapshot) {
     fastest = std::max(fastest, box.velocity.norm());
   for (const SnapshotRod& rod : snapshot.rods)
     largest_rod = std::max(largest_rod, std::abs(rod.tension));
+  for (const SnapshotBox& box : snapshot.boxes)
+    largest_acceleration = std::max(largest_acceleration, box.acceleration.norm());
+  gravity = snapshot.gravity.norm();
+  largest_load = std::max(largest_load, largest_value(snapshot, ColorBy::load));
+  if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
+  for (const SnapshotJoint& joint : snapshot.joints)
+    if (!joint.unique) seen.insert(LegendEntry::several);
+  for (const SnapshotForce& force : snapshot.forces) {
+    if (!force.unique) seen.insert(LegendEntry::several);
+    if (force.kind == ForceKind::friction) seen.insert(LegendEntry::friction);
+  }
 }
 
 std::size_t Recording::Scenery::bytes() const {
-  return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(rods) + bytes_of(points)
-         + bytes_of(contacts) + bytes_of(sides);
+  return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(joints) + bytes_of(impacts)
+         + bytes_of(rods) + bytes_of(points) + bytes_of(contacts) + bytes_of(sides);
 }
 
 void Recording::add(Snapshot snapshot) {
@@ -51,13 +70,16 @@ void Recording::add(Snapshot snapshot) {
   if (!kept()) return;
   Scenery scenery{{},
                   std::move(snapshot.forces),
+                  std::move(snapshot.joints),
+                  std::move(snapshot.impacts),
                   std::move(snapshot.rods),
                   std::move(snapshot.points),
                   std::move(snapshot.contacts),
                   std::move(snapshot.sides)};
   scenery.boxes.reserve(snapshot.boxes.size());
   for (const SnapshotBox& box : snapshot.boxes)
-    scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin});
+    scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin, box.acceleration,
+                             box.angular_acceleration});
   Frame frame{snapshot.time, snapshot.energy, nullptr};
   bytes_ += sizeof frame;
   if (!frames_.empty() && *frames_.back().scenery == scenery) {
@@ -84,10 +106,14 @@ void Recording::for_each(const std::function<void(const Snapshot&)>& show) const
     for (std::size_t i = 0; i < scenery.boxes.size(); ++i) {
       const Pose& pose = scenery.boxes[i];
       SnapshotBox& box = snapshot.boxes[i];
-      std::tie(box.center, box.velocity, box.angle, box.spin) =
-          std::tie(pose.center, pose.velocity, pose.angle, pose.spin);
+      std::tie(box.center, box.velocity, box.angle, box.spin, box.acceleration,
+               box.angular_acceleration) =
+          std::tie(pose.center, pose.velocity, pose.angle, pose.spin, pose.acceleration,
+                   pose.angular_acceleration);
     }
     snapshot.forces = scenery.forces;
+    snapshot.joints = scenery.joints;
+    snapshot.impacts = scenery.impacts;
     snapshot.rods = scenery.rods;
     snapshot.points = scenery.points;
     snapshot.contacts = scenery.contacts;

@@ -8,13 +8,16 @@
 
 #include "app/cli/progress.h"
 #include "app/cli/stop_signal.h"
+#include "app/film/frame_taker.h"
 #include "app/film/timetable.h"
 #include "app/output/accuracy.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
 #include "core/time/simulation.h"
+#include "render/picture/body_color.h"
 #include "render/picture/force_scale.h"
+#include "render/picture/layers.h"
 
 namespace wuerfel {
 
@@ -24,19 +27,24 @@ struct MotionSource {
   MotionSettings motion;
   std::vector<Instant> instants;
   SnapshotRequest request;
+  LookBack back;
   const StopSignal& stop;
   Progress::Style style = Progress::Style::silent;  ///< of how far it is
 
-  /// Simulates it from the start and shows its frames; how exact it was. Throws
-  /// Interrupted.
+  /// Simulates it from the start and shows its frames; how exact it was up to the last instant that
+  /// was asked for, or to the end. Throws Interrupted.
   AccuracyWatch show_frames(const std::function<void(const Snapshot&)>& show) const;
 };
 
 /// What a whole motion tells of the arrows.
 struct MotionRange {
   ForceRange forces;
-  double fastest = 0.0;      ///< m/s
-  double largest_rod = 0.0;  ///< N
+  double fastest = 0.0;               ///< m/s
+  double largest_rod = 0.0;           ///< N
+  double largest_acceleration = 0.0;  ///< m/s^2
+  double gravity = 0.0;               ///< m/s^2
+  double largest_load = 0.0;          ///< N, on one cube
+  Legend seen;                        ///< kinds of forces
 
   void include(const Snapshot& snapshot);
 };
@@ -63,12 +71,16 @@ class Recording {
     Vec2 velocity;
     double angle;
     double spin;
+    Vec2 acceleration;
+    double angular_acceleration;
     bool operator==(const Pose&) const = default;
   };
   /// All that a picture shows besides what never changes and the time.
   struct Scenery {
     std::vector<Pose> boxes;
     std::vector<SnapshotForce> forces;
+    std::vector<SnapshotJoint> joints;
+    std::vector<SnapshotImpact> impacts;
     std::vector<SnapshotRod> rods;
     std::vector<SnapshotPoint> points;
     std::vector<SnapshotContact> contacts;

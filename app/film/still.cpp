@@ -1,5 +1,6 @@
 #include "app/film/still.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
@@ -29,12 +30,44 @@ PictureOptions cell_options(const PictureOptions& page, const StripLayout& layou
   return cell;
 }
 
-// When to look: at the times asked for, and where trails are drawn as often as a film would.
-std::vector<Instant> instants_of(const StillOptions& options) {
-  const double end = options.times.back();
-  std::vector<double> on_the_way;
-  if (options.picture.layers.has(Layer::trails)) on_the_way = frame_times(end, options.trail_rate);
-  return timetable(end, on_the_way, options.times);
+// When to look: at the times asked for, and as often as a film would where trails are drawn or the
+// picture has to fit into the film.
+std::vector<Instant> instants_of(const StillOptions& options, const Scene& scene) {
+  const double last = options.times.back();
+  const PictureOptions& picture = options.picture;
+  const bool whole = picture.fit == Fit::motion && needs_whole_motion(picture);
+  const double end = whole ? std::max(last, options.end.value_or(scene.duration)) : last;
+  std::vector<double> frames;
+  if (whole || picture.layers.has(Layer::trails)) frames = frame_times(end, options.rate);
+  return timetable(end, frames, options.times);
+}
+
+MotionSource source_of(const Scene& scene,
+                       const StillOptions& options,
+                       std::vector<Instant> instants,
+                       const StopSignal& stop) {
+  for (Instant& instant : instants)
+    instant.frame = instant.frame || instant.sample;
+  const PictureOptions& picture = options.picture;
+  const SnapshotRequest request = snapshot_request(picture, scene.cubes.size());
+  const LookBack back = look_back(picture, 0.0, options.rate.speed);
+  return {scene,
+          options.motion,
+          with_looks(std::move(instants), request.joints ? back.average : 0.0),
+          request,
+          back,
+          stop,
+          Progress::style_for_stderr(false)};
+}
+
+// A picture is the frame of a film, and its forces are those of such a frame.
+StillOptions completed(const Scene& scene, const StillOptions& options) {
+  StillOptions all = options;
+  all.picture.color_by = color_by(options.picture, scene.cubes.size());
+  if (!all.picture.average)
+    all.picture.average =
+        options.picture.fit == Fit::motion ? options.rate.speed / options.rate.fps : 0.0;
+  return all;
 }
 
 /// One by one, the draw lists of the instants that were asked for.
@@ -48,7 +81,9 @@ std::vector<DrawList> compose_cells(const Recording& motion,
   std::vector<DrawList> lists;
   auto instant = instants.begin();
   motion.for_each([&](const Snapshot& snapshot) {
-    const auto [t, on_the_way, asked_for] = *instant++;
+    while (!instant->frame && !instant->sample)
+      ++instant;
+    const auto [t, on_the_way, asked_for, look] = *instant++;
     if (on_the_way) trails.add(snapshot);
     if (!asked_for) return;
     Snapshot shown = snapshot;
@@ -71,19 +106,18 @@ std::string settings_text(const StillOptions& options, const PictureOptions& fit
 }  // namespace
 
 Still compose_still(const Scene& scene,
-                    const StillOptions& options,
+                    const StillOptions& asked,
                     const StopSignal& stop,
                     Font& font) {
+  const StillOptions options = completed(scene, asked);
   const std::optional<StripLayout> layout = layout_of(options);
   require_possible_steps(options.times.back(), options.motion);
-  const std::vector<Instant> instants = instants_of(options);
-  MotionSource source{scene, options.motion, instants, snapshot_request(options.picture.layers),
-                      stop, Progress::style_for_stderr(false)};
-  for (Instant& instant : source.instants)
-    instant.frame = true;
+  const std::vector<Instant> instants = instants_of(options, scene);
+  const MotionSource source = source_of(scene, options, instants, stop);
   Recording motion(source);
   Still still;
-  still.accuracy = source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
+  still.accuracy =
+      source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
 
   const PictureOptions fitted =
       fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);

@@ -24,7 +24,9 @@ struct StillOptions {
   PictureOptions picture;
   std::vector<double> times{0.0};  ///< s, ascending; one for each picture of a strip
   std::optional<StripGrid> strip;
-  FrameRate trail_rate;  ///< how often trails look where cubes are
+  /// Frames of the film that the picture fits into: how often trails look where cubes are, too.
+  FrameRate rate;
+  std::optional<double> end;  ///< s, of that film; none: the scene's duration
 };
 
 /// A still picture that any backend can draw.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -49,19 +50,23 @@ std::vector<Instant> timetable(double end,
   for (const double t : marks)
     instants.push_back({.t = t});
   instants.push_back({.t = end});
-  std::ranges::stable_sort(instants, {}, &Instant::t);
+  return merged(std::move(instants), {});
+}
 
-  // Equal instants become one that is everything they were.
-  std::vector<Instant> merged;
+std::vector<Instant> merged(std::vector<Instant> instants, const std::vector<Instant>& more) {
+  instants.insert(instants.end(), more.begin(), more.end());
+  std::ranges::stable_sort(instants, {}, &Instant::t);
+  std::vector<Instant> result;
   for (const Instant& instant : instants) {
-    if (merged.empty() || merged.back().t != instant.t) {
-      merged.push_back(instant);
+    if (result.empty() || result.back().t != instant.t) {
+      result.push_back(instant);
     } else {
-      merged.back().frame |= instant.frame;
-      merged.back().sample |= instant.sample;
+      result.back().frame |= instant.frame;
+      result.back().sample |= instant.sample;
+      result.back().look |= instant.look;
     }
   }
-  return merged;
+  return result;
 }
 
 }  // namespace wuerfel

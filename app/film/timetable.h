@@ -11,8 +11,14 @@ namespace wuerfel {
 struct Instant {
   double t = 0.0;       ///< s, simulated
   bool frame = false;   ///< a picture, and a line of the tables
-  bool sample = false;  ///< asked for by --sample
+  bool sample = false;  ///< asked for by --sample, or -t
+  bool look = false;    ///< forces are looked at, to be averaged in a picture to come
 };
+
+/// Whether somebody looks, be it to average.
+inline bool is_seen(const Instant& instant) {
+  return instant.frame || instant.sample || instant.look;
+}
 
 struct FrameRate {
   double fps = 60.0;   ///< frames per second of the film
@@ -36,5 +42,8 @@ std::vector<Instant> timetable(double end,
                                const std::vector<double>& frames,
                                const std::vector<double>& samples,
                                const std::vector<double>& marks = {});
+
+/// Both in one order in time, every instant once: equal ones become one that is everything they were.
+std::vector<Instant> merged(std::vector<Instant> instants, const std::vector<Instant>& more);
 
 }  // namespace wuerfel

@@ -25,7 +25,8 @@ struct Violation {
 class AccuracyWatch {
  public:
   /// `first`: what was seen before a run was taken up again.
-  explicit AccuracyWatch(std::optional<Violation> first = std::nullopt) : first_(std::move(first)) {}
+  explicit AccuracyWatch(std::optional<Violation> first = std::nullopt)
+      : first_(std::move(first)) {}
 
   /// `force_residual` is that of the forces that are asked for.
   void look(const Simulation& simulation, double force_residual);

@@ -13,8 +13,8 @@
 namespace wuerfel {
 
 struct Checkpoint {
-  std::string restart_point;     ///< of the simulation; empty: its start
-  std::vector<Moment> moments;   ///< frames and samples up to there, in their order
+  std::string restart_point;    ///< of the simulation; empty: its start
+  std::vector<Moment> moments;  ///< frames and samples up to there, in their order
   std::optional<Violation> first_violation;
 };
 
@@ -22,12 +22,16 @@ struct Checkpoint {
 std::string checkpoint_origin(const Scene& scene, const MotionSettings& settings);
 
 /// The file appears whole or not at all. Throws OutputError.
-void write_checkpoint(const std::string& path, const std::string& origin, const Checkpoint& checkpoint);
+void write_checkpoint(const std::string& path,
+                      const std::string& origin,
+                      const Checkpoint& checkpoint);
 
 /// Throws UsageError where the file is no checkpoint, is damaged, or belongs to another version, scene
 /// or motion.
 Checkpoint read_checkpoint(const std::string& path, const std::string& origin);
 /// The same of its bytes; `name` stands for the file in messages.
-Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name, const std::string& origin);
+Checkpoint parse_checkpoint(std::string_view bytes,
+                            const std::string& name,
+                            const std::string& origin);
 
 }  // namespace wuerfel

@@ -38,11 +38,12 @@ void ClosedContacts::pose(const State& state) {
     c = at_poses(*system_, boxes_, c);
 }
 
-void ClosedContacts::solve(const State& state, Order order) {
+const std::vector<double>& ClosedContacts::nearest(const State& state, Order order) {
+  if (island_.contacts.empty()) return x_;
   pose(state);
   if (rubbing_.any()) {
     rubbing_.solve(*system_, state, island_, order, x_, forces_);
-    return;
+    return x_;
   }
   if (laid_out_) {
     builder_.renew(state, island_, order);
@@ -55,6 +56,7 @@ void ClosedContacts::solve(const State& state, Order order) {
     laid_out_ = true;
   }
   solver_.solve(builder_.program(), x_, forces_);
+  return x_;
 }
 
 void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelerations) {
@@ -63,9 +65,7 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
     if (resting_[i] != 0) accelerations[i] = {};
   }
   forces_.clear();
-  if (island_.contacts.empty()) return;
-  solve(state, Order::acceleration);
-  const double* at = x_.data();
+  const double* at = nearest(state, Order::acceleration).data();
   for (const int cube : island_.cubes) {
     accelerations[cube] = {Vec2(at[0], at[1]), at[2]};
     at += 3;
@@ -84,30 +84,6 @@ Push ClosedContacts::pushed(const State& state) const {
     add_push(*system_, state, center, c, forces_[k] * c.normal + side, sum);
   }
   return sum;
-}
-
-void ClosedContacts::project_positions(State& state) {
-  if (island_.contacts.empty()) return;
-  solve(state, Order::position);
-  const double* at = x_.data();
-  for (const int cube : island_.cubes) {
-    BodyState& s = state[cube];
-    s.position += Vec2(at[0], at[1]);
-    s.angle += at[2];
-    at += 3;
-  }
-}
-
-void ClosedContacts::project_velocities(State& state) {
-  if (island_.contacts.empty()) return;
-  solve(state, Order::velocity);
-  const double* at = x_.data();
-  for (const int cube : island_.cubes) {
-    BodyState& s = state[cube];
-    s.velocity = Vec2(at[0], at[1]);
-    s.spin = at[2];
-    at += 3;
-  }
 }
 
 }  // namespace wuerfel

@@ -27,6 +27,8 @@ class ClosedContacts {
 
   [[nodiscard]] const System& system() const { return *system_; }
   [[nodiscard]] const std::vector<Contact>& contacts() const { return island_.contacts; }
+  /// The cubes that they restrict, ascending.
+  [[nodiscard]] const std::vector<int>& cubes() const { return island_.cubes; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
   [[nodiscard]] bool redundant() const {
     return rubbing_.any() ? rubbing_.redundant()
@@ -44,14 +46,13 @@ class ClosedContacts {
   /// What fixed bodies do to the moving cubes, by the forces of the last `accelerate` at `state`.
   [[nodiscard]] Push pushed(const State& state) const;
 
-  /// Moves the cubes by the least (in the mass metric) that closes the gaps to first order.
-  void project_positions(State& state);
-  /// Changes velocities by the least that makes the gaps' rates zero.
-  void project_velocities(State& state);
+  /// (x, y, theta) per cube of `cubes`: the least displacements (in the mass metric) that close the
+  /// gaps to first order, the velocities nearest to those of `state` that keep them, or the
+  /// accelerations.
+  const std::vector<double>& nearest(const State& state, Order order);
 
  private:
   void pose(const State& state);
-  void solve(const State& state, Order order);
 
   const System* system_;
   ProgramBuilder builder_;

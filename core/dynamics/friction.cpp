@@ -19,17 +19,6 @@ std::vector<std::uint64_t> keys_of(const Island& island) {
   return keys;
 }
 
-/// Row times x less its bound.
-double slack(const QuadraticProgram& program, int row, const std::vector<double>& x) {
-  double sum = -program.bound[row];
-  for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
-    const std::span<const double> g = program.entry(e);
-    for (std::size_t k = 0; k < g.size(); ++k)
-      sum += g[k] * x[program.entry_block[e] * g.size() + k];
-  }
-  return sum;
-}
-
 }  // namespace
 
 bool rubs(const System& system, const Island& island) {
@@ -76,9 +65,9 @@ IslandSolution FrictionDynamics::read(const State& state,
     if (n < 0) continue;
     const FrictionContact& contact = friction.contacts[n];
     solution.forces[k] = std::max(0.0, result.multiplier[contact.normal]);
-    solution.slacks[k] = slack(program, contact.normal, result.x);
+    solution.slacks[k] = program.slack(contact.normal, result.x);
     if (contact.tangent >= 0) {
-      solution.slips[k] = slack(program, contact.tangent, result.x);
+      solution.slips[k] = program.slack(contact.tangent, result.x);
       const double most = contact.mu * solution.forces[k];
       solution.tangential[k] = std::clamp(result.multiplier[contact.tangent], -most, most);
     }

@@ -7,7 +7,9 @@
 namespace wuerfel {
 namespace {
 
-bool moves(std::span<const char> resting, int cube) { return resting.empty() || resting[cube] == 0; }
+bool moves(std::span<const char> resting, int cube) {
+  return resting.empty() || resting[cube] == 0;
+}
 
 std::vector<int> moving_cubes(const System& system, std::span<const char> resting) {
   std::vector<int> cubes;

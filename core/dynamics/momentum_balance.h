@@ -39,8 +39,9 @@ Push unexplained(const System& system,
 
 /// Sums of magnitudes, which changes of momenta are measured by.
 struct MomentumScale {
-  double linear = 0.0;   ///< N s, sum of m max(|v|, V)
-  double angular = 0.0;  ///< N m s, sum of m r max(|v|, V) about the common centre; r: at least a radius
+  double linear = 0.0;  ///< N s, sum of m max(|v|, V)
+  double angular =
+      0.0;  ///< N m s, sum of m r max(|v|, V) about the common centre; r: at least a radius
 
   /// Makes it the larger of the two.
   void include(const MomentumScale& other);

@@ -17,6 +17,11 @@ struct Push {
   }
 };
 
+inline Push operator+(Push a, const Push& b) {
+  a += b;
+  return a;
+}
+
 inline Push operator*(double factor, const Push& push) {
   return {factor * push.linear, factor * push.angular};
 }

@@ -136,7 +136,8 @@ std::string overlap_message(const Scene& scene, const Overlap& overlap) {
   const double digit = std::numeric_limits<double>::epsilon() * far;
   if (overlap.depth <= few_digits * digit) {
     text += fmt::format(
-        ": coordinates of {:.3g} m have no digits below {:.1g} m, so bodies this small cannot touch "
+        ": coordinates of {:.3g} m have no digits below {:.1g} m, so bodies this small cannot "
+        "touch "
         "there; nearer to the origin they can",
         far, digit);
   }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/dynamics/gauss.h"
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/solves.h"
 
 namespace wuerfel {
 namespace {
@@ -98,25 +98,26 @@ void note_unexplained(const MomentumScale& scale, Bookkeeping& book) {
   audit.momentum_angular = std::max(audit.momentum_angular, std::abs(sum.angular) / scale.angular);
 }
 
+void keep_cost(const Solves& solves, Bookkeeping& book) {
+  book.cost.qp_solves += solves.solved;
+  book.cost.qp_iterations += solves.iterations;
+  book.cost.skipped_certificate += solves.skipped;
+}
+
+void keep_book(const Solves& solves, Bookkeeping& book) {
+  keep_cost(solves, book);
+  book.audit.missed_solves += solves.missed;
+  book.audit.wedged += solves.infeasible;
+  book.audit.friction_inexact += solves.friction_inexact;
+  book.audit.friction_residual = std::max(book.audit.friction_residual, solves.friction_residual);
+  book.audit.restitution_reduced += solves.restitution_reduced;
+  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, solves.residual);
+}
+
 void keep_book(const IslandSolution& solution, Bookkeeping& book) {
-  ++(solution.skipped ? book.cost.skipped_certificate : book.cost.qp_solves);
-  book.cost.qp_iterations += solution.iterations;
-  // That there is no solution is an answer.
-  if (solution.status == QpStatus::infeasible) {
-    ++book.audit.wedged;
-    return;
-  }
-  if (solution.friction_inexact) {
-    ++book.audit.friction_inexact;
-    book.audit.friction_residual = std::max(book.audit.friction_residual, solution.residual);
-    return;
-  }
-  if (solution.restitution_factor < 1.0) ++book.audit.restitution_reduced;
-  const bool answered =
-      solution.status == QpStatus::optimal || solution.status == QpStatus::inaccurate;
-  const double residual = answered ? solution.residual : unbounded;
-  book.audit.max_kkt_residual = std::max(book.audit.max_kkt_residual, residual);
-  if (solution.status != QpStatus::optimal) ++book.audit.missed_solves;
+  Solves solves;
+  solves.add(solution);
+  keep_book(solves, book);
 }
 
 }  // namespace wuerfel

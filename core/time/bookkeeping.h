@@ -12,6 +12,7 @@ namespace wuerfel {
 
 struct IslandSolution;
 struct MomentumScale;
+struct Solves;
 
 enum class EventKind { impact, touch, release, slide_off, stick, slip, jam, rest };
 std::string_view to_string(EventKind kind);
@@ -117,7 +118,10 @@ void add(const Bookkeeping& more, Bookkeeping& book);
 /// Audits what is unexplained up to now, as shares of the scale.
 void note_unexplained(const MomentumScale& scale, Bookkeeping& book);
 
-/// Books a program that was solved, and how well.
+/// Books programs that were solved, and how well; or only what they cost, where the answer is judged
+/// by what it leads to.
+void keep_cost(const Solves& solves, Bookkeeping& book);
+void keep_book(const Solves& solves, Bookkeeping& book);
 void keep_book(const IslandSolution& solution, Bookkeeping& book);
 
 }  // namespace wuerfel

@@ -83,6 +83,7 @@ IslandMotion::IslandMotion(const System& system,
   begin_window(point.state);
   move_groups();
   commit();
+  advance_to(point.t);
 }
 
 void IslandMotion::set_units(const State& start) {
@@ -125,7 +126,7 @@ const Bookkeeping& IslandMotion::book() {
   shown_.audit.impact_loss = impact_loss_;
   shown_.audit.friction_loss = friction;
   shown_.cost = computed_.cost;
-  const bool stepped = settings_.integrator == Integrator::rattle || computed_.cost.hand_overs > 0
+  const bool stepped = policy_of(settings_).only_steps || computed_.cost.hand_overs > 0
                        || system_->rubs || system_->bounces;
   shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact_loss_ + friction)
                                             + uneven_share * under_way
@@ -232,7 +233,7 @@ State IslandMotion::end_window() {
   for (Group& group : groups_) {
     group.track->forget_before(begin_);
     for (std::size_t m = 0; m < group.cubes.size(); ++m) {
-      const auto cube = static_cast<std::size_t>(group.cubes[m]);
+      const int cube = group.cubes[m];
       resting_[cube] = group.track->resting()[m];
       stepping_[cube] = group.track->stepping();
     }
@@ -287,7 +288,7 @@ void IslandMotion::regroup(const State& state, const std::vector<std::vector<int
   groups_ = std::move(next);
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     for (std::size_t m = 0; m < groups_[k].cubes.size(); ++m) {
-      const auto cube = static_cast<std::size_t>(groups_[k].cubes[m]);
+      const int cube = groups_[k].cubes[m];
       group_of_[cube] = static_cast<int>(k);
     }
   }
@@ -301,8 +302,7 @@ void IslandMotion::make_group(const State& state, const std::vector<int>& cubes,
   State part;
   std::vector<char> rests;
   Track::Stepping stepping;
-  for (const int cube : cubes) {
-    const auto i = static_cast<std::size_t>(cube);
+  for (const int i : cubes) {
     part.push_back(state[i]);
     rests.push_back(resting_[i]);
     stepping = later(stepping, stepping_[i]);

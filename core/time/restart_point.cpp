@@ -127,7 +127,6 @@ T value_of(std::string_view bytes) {
   return value;
 }
 
-
 }  // namespace
 
 std::string to_bytes(const RestartPoint& point) { return bytes_of(point); }

@@ -42,7 +42,7 @@ using RestartListener = std::function<void(const RestartPoint&)>;
 /// Restarts come after so much work: steps, each times the cubes that move. Counts, not clocks: the
 /// same scene restarts at the same instants. Solvers find out anew what they knew, which takes a few
 /// steps' time.
-inline constexpr long work_between_restarts = 100000;
+inline constexpr long work_between_restarts = 50000;
 
 /// Bytes that are no restart point.
 class RestartError : public std::runtime_error {

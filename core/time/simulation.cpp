@@ -5,6 +5,7 @@
 
 #include "core/dynamics/forces_at.h"
 #include "core/time/island_motion.h"
+#include "core/time/policy.h"
 #include "core/time/reference/fixed_step_motion.h"
 #include "core/time/start_state.h"
 #include "core/time/take_snapshot.h"
@@ -21,17 +22,9 @@ std::unique_ptr<Motion> make_motion(const System& system,
                                     const MotionSettings& settings,
                                     const State& start,
                                     const More&... more) {
-  switch (settings.integrator) {
-    case Integrator::euler:
-    case Integrator::symplectic:
-    case Integrator::moreau:
-      return std::make_unique<FixedStepMotion>(system, settings, start, more...);
-    case Integrator::automatic:
-    case Integrator::event:
-    case Integrator::rattle:
-      break;
-  }
-  return std::make_unique<IslandMotion>(system, settings, start, more...);
+  if (policy_of(settings).method == MotionPolicy::Method::groups)
+    return std::make_unique<IslandMotion>(system, settings, start, more...);
+  return std::make_unique<FixedStepMotion>(system, settings, start, more...);
 }
 
 void add(const LookCost& more, LookCost& cost) {
@@ -65,9 +58,7 @@ struct Simulation::Impl {
   const InstantForces& look(Detail detail) {
     return look(motion->state(), motion->loaded(), detail);
   }
-  const InstantForces& look(const State& state,
-                            const std::vector<Contact>& loaded,
-                            Detail detail) {
+  const InstantForces& look(const State& state, const std::vector<Contact>& loaded, Detail detail) {
     const InstantForces& found = finder.at(state, detail, loaded);
     add(found.cost, look_cost);
     return found;
@@ -80,7 +71,7 @@ Simulation::Simulation(const Scene& scene,
                        const MotionSettings& settings,
                        std::string_view restart_point)
     : impl_(std::make_unique<Impl>(
-          scene, settings, restart_point_of(restart_point, scene.cubes.size()))) {}
+        scene, settings, restart_point_of(restart_point, scene.cubes.size()))) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -127,6 +118,7 @@ Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
   Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, impl_->motion->state(),
                                     impl_->look(detail_of(request)), request);
   snapshot.time = time();
+  snapshot.energy_start = impl_->energy_start;
   return snapshot;
 }
 
@@ -135,11 +127,11 @@ Moment Simulation::moment() const {
 }
 
 Snapshot Simulation::snapshot(const Moment& moment, const SnapshotRequest& request) const {
-  const InstantForces& found =
-      impl_->look(moment.state, contacts_of(moment.loaded, impl_->system.count()),
-                  detail_of(request));
+  const InstantForces& found = impl_->look(
+      moment.state, contacts_of(moment.loaded, impl_->system.count()), detail_of(request));
   Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, moment.state, found, request);
   snapshot.time = moment.t;
+  snapshot.energy_start = impl_->energy_start;
   return snapshot;
 }
 

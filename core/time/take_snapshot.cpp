@@ -5,6 +5,7 @@
 
 #include "core/constraints/manifold.h"
 #include "core/constraints/side.h"
+#include "core/time/shown_joints.h"
 
 namespace wuerfel {
 namespace {
@@ -28,6 +29,7 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
       box.angle = s.angle;
       box.velocity = s.velocity;
       box.spin = s.spin;
+      box.mass = body.mass;
       box.color_index = i;
       box.color = scene.cubes[i].color;
     } else {
@@ -40,25 +42,28 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
   }
 }
 
+void add_accelerations(const InstantForces& found, Snapshot& snapshot) {
+  for (std::size_t i = 0; i < found.accelerations.size(); ++i) {
+    snapshot.boxes[i].acceleration = found.accelerations[i].linear;
+    snapshot.boxes[i].angular_acceleration = found.accelerations[i].angular;
+  }
+}
+
 void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot) {
-  // As with IslandSolution::least_pressing: what a solver may leave at contacts that don't press.
-  constexpr double pressing_share = 1e-9;
-  const double largest = of.forces.force.empty() ? 0.0 : std::ranges::max(of.forces.force);
+  const double least = least_pressing(of.forces);
   for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
     const Contact& c = of.island.contacts[k];
     const double normal = of.forces.force[k];
-    if (normal <= pressing_share * largest) continue;
-    // Shown is the force that carries: on the upper body of the two, and on a cube where one is
-    // fixed.
-    const bool carries = system.gravity.dot(c.normal) <= 0.0;
-    const bool on = system.is_cube(c.on) && (carries || !system.is_cube(c.from));
+    if (normal <= least) continue;
+    const bool on = is_carried(system, c);
     const Vec2 force = (on ? normal : -normal) * c.normal;
-    snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from});
+    const bool unique = of.detail < Detail::uniqueness || of.forces.unique[k] != 0;
+    snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from, unique});
     if (of.forces.tangential.empty()) continue;
     const double tangential = of.forces.tangential[k];
     if (std::abs(tangential) <= rounding * normal) continue;
     const Vec2 along = (on ? tangential : -tangential) * perp(c.normal);
-    snapshot.forces.push_back({c.point, along, ForceKind::friction, on ? c.on : c.from});
+    snapshot.forces.push_back({c.point, along, ForceKind::friction, on ? c.on : c.from, unique});
   }
 }
 
@@ -128,7 +133,10 @@ void add_sides(const System& system, const State& state, Snapshot& snapshot) {
 }  // namespace
 
 Detail detail_of(const SnapshotRequest& request) {
-  return request.forces || request.rod_forces ? Detail::forces : Detail::contacts;
+  const bool forces = request.forces || request.joints;
+  if (forces && request.unique) return Detail::uniqueness;
+  if (forces || request.rod_forces) return Detail::forces;
+  return request.accelerations ? Detail::accelerations : Detail::contacts;
 }
 
 Snapshot take_snapshot(const Scene& scene,
@@ -138,13 +146,16 @@ Snapshot take_snapshot(const Scene& scene,
                        const SnapshotRequest& request) {
   Snapshot snapshot;
   snapshot.title = system.title;
+  snapshot.gravity = system.gravity;
   snapshot.energy = energy(system, state);
   snapshot.force_residual = found.residual;
   add_bodies(scene, system, state, snapshot);
+  if (request.accelerations) add_accelerations(found, snapshot);
   if (request.points) add_points(system, state, snapshot);
   if (request.sides) add_sides(system, state, snapshot);
   for (const IslandForces& of : found.islands) {
     if (request.forces) add_forces(system, of, snapshot);
+    if (request.joints) add_joints(system, of, snapshot.joints);
     if (request.contacts) add_contacts(of.island, snapshot);
   }
   if (request.rods) add_rods(system, state, found, request.rod_forces, snapshot);

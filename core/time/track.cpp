@@ -29,8 +29,6 @@ constexpr int most_rubbing_cubes = 12;
 /// Where the user did not choose a step: the first one and the longest, in frames.
 constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
-/// Touching after stepping: gaps of contacts under load have been closed to rounding.
-constexpr double touching_share = 1e-9;
 /// Gaps count as zero in the search for events up to this many times what rounding leaves of them.
 constexpr double rounding_times = 4.0;
 /// Share of V below which a group that was stepped is at rest where its forces balance.
@@ -42,14 +40,15 @@ constexpr int looks_per_piece = 4;
 Track::Track(const System& system, const MotionSettings& settings)
     : system_(&system),
       settings_(settings),
+      policy_(policy_of(settings)),
       only_steps_((system.rubs || system.bounces) && system.cubes > most_rubbing_cubes),
       events_(system, settings) {}
 
 void Track::begin_steps(const State& state, double t) {
   if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_);
-  const bool always = settings_.integrator == Integrator::rattle;
-  steps_->begin(state, always ? settings_.step : first_step * frame(),
-                always ? settings_.step : longest_step * frame());
+  const bool chosen = policy_.step > 0.0;
+  steps_->begin(state, chosen ? policy_.step : first_step * frame(),
+                chosen ? policy_.step : longest_step * frame());
   stepping_ = true;
   moving_.assign(state.size(), 0);
   clock_ = t;
@@ -78,11 +77,11 @@ void Track::start(const State& state,
   limits.touching = std::max(touching, limits.touching);
   events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
-  const bool always = settings_.integrator == Integrator::rattle;
   if (events_.at_rest()) return;
-  if (!(always || events_.wedged() || stepping.until > t)) return;
+  if (!(policy_.only_steps || events_.wedged() || stepping.until > t)) return;
   begin_steps(events_.state(), t);
-  until_ = always ? std::numeric_limits<double>::infinity() : std::max(stepping.until, t + frame());
+  until_ = policy_.only_steps ? std::numeric_limits<double>::infinity()
+                              : std::max(stepping.until, t + frame());
 }
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
@@ -170,8 +169,7 @@ bool Track::leaves_overlap(const Audit& before) {
   const double share = std::max(overlap_share, rounding_times * rounding / scales_.length);
   if (book_.audit.max_overlap > share) return true;
   if (book_.audit.searches_given_up == before.searches_given_up) return false;
-  finder_.find(*system_, events_.state(), contacts_, 0.0);
-  return finder_.deepest().depth > share * finder_.deepest().scale;
+  return events_.overlap() > share;
 }
 
 double Track::frame() const { return scales_.time / frames_per_time; }
@@ -196,7 +194,7 @@ void Track::consider_events() {
 }
 
 long Track::affordable_events() const {
-  if (settings_.integrator == Integrator::event) return most_events_ever;
+  if (policy_.only_events) return most_events_ever;
   return std::clamp(most_events_and_cubes / std::max(1, system_->cubes), fewest_events,
                     patience_ > 1 ? most_events_again : most_events);
 }
@@ -230,11 +228,11 @@ void Track::step(double limit) {
 void Track::go_on_or_hand_back() {
   if (only_steps_) {
     until_ = (std::round(clock_ / frame()) + longest_step) * frame();
-    stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_share, book_);
+    stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_);
     return;
   }
   const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
-  const bool few = system_->cubes <= most_event_cubes || settings_.integrator == Integrator::event;
+  const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
   if (calm && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
     hand_back();
   } else {
@@ -251,7 +249,8 @@ void Track::hand_back() {
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
   book_.settled += unexplained(*system_, steps_->state(), state, 0.0, {});
-  events_.start(state, clock_, {touching_share, rest_speed}, {}, book_);
+  // Gaps of contacts under load have been closed to rounding.
+  events_.start(state, clock_, {touching_tolerance, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }
 
@@ -275,12 +274,11 @@ std::vector<Contact> Track::loaded_at(double t) const {
 State Track::at(double t) {
   const std::ptrdiff_t k = piece_at(t);
   if (k < 0) return state();
-  const auto at = static_cast<std::size_t>(k);
-  const MotionPiece& piece = pieces_[at];
+  const MotionPiece& piece = pieces_[k];
   if (t <= piece.begin || piece.kind == MotionPiece::Kind::rest) return piece.start;
   if (piece.kind == MotionPiece::Kind::smooth) return events_.look(piece, t);
   if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
-  const State& next = at + 1 < pieces_.size() ? pieces_[at + 1].start : state();
+  const State& next = k + 1 < std::ssize(pieces_) ? pieces_[k + 1].start : state();
   return look_->at(piece.start, next, piece.length, (t - piece.begin) / piece.length,
                    *piece.record);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/time/events/event_motion.h"
+#include "core/time/policy.h"
 #include "core/time/restart_point.h"
 #include "core/time/stepping/controlled_stepping.h"
 #include "core/time/stepping/step_look.h"
@@ -79,12 +80,11 @@ class Track {
 
   const System* system_;
   MotionSettings settings_;
+  MotionPolicy policy_;
   bool only_steps_ = false;  ///< large groups that rub or bounce
   EventMotion events_;
   std::unique_ptr<ControlledStepping> steps_;  ///< none before the first step
   std::unique_ptr<StepLook> look_;             ///< none before the first look between steps
-  ContactFinder finder_;
-  std::vector<Contact> contacts_;  ///< scratch
   Scales scales_;
   bool stepping_ = false;
   std::vector<char> moving_;  ///< nobody rests while stepping

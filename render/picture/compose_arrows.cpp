@@ -1,79 +1,172 @@
-// Arrows: forces, velocities, normals. An arrow of a force starts at the contact and points where
-// the force pushes.
+// Arrows of every kind, and how they are painted. Kinds differ by form as well as by colour.
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "render/picture/frame_parts.h"
 
 namespace wuerfel::internal {
 namespace {
 
-constexpr double normal_length = 30.0;   ///< px of a 1280x720 picture
-constexpr double shortest_arrow = 3.0;   ///< px; what is shorter says nothing
-constexpr double second_head_at = 0.75;  ///< head lengths behind the first
+constexpr double normal_length = 26.0;  ///< px of a 1280x720 picture
+constexpr double shortest_arrow = 3.0;  ///< px; what is shorter says nothing
+constexpr double hollow_rim = 1.25;     ///< px, of the outline of a hollow arrow
+constexpr double hollow_width = 5.0;    ///< px, of its shaft
+constexpr double hollow_head = 1.2;     ///< times the width of a filled one's head
+constexpr double break_at = 0.3;        ///< of a cut arrow's shaft, from its tail
+constexpr double break_gap = 5.0;       ///< px between the strokes of a break
+constexpr double break_reach = 5.5;     ///< px that they reach to each side
+constexpr double center_dot = 2.6;      ///< px, where velocities start
 
-/// A little step (m) from the contact towards the pushed body, across the arrow, so that the arrows
-/// of two cubes that stand side by side lie side by side too.
-Vec2 step_aside(const FrameParts& parts, const SnapshotForce& force) {
-  const auto& boxes = parts.snapshot.boxes;
-  if (force.body < 0 || static_cast<std::size_t>(force.body) >= boxes.size()) return Vec2::Zero();
-  const SnapshotBox& box = boxes[force.body];
-  const Vec2 across = perp(force.force).normalized();
-  const double offset = (box.center - force.point).dot(across);
-  const double wanted = (0.5 * parts.style.arrow_width + parts.style.halo_width + 0.3) * parts.unit
-                        * parts.fineness / parts.view.pixels_per_metre;
-  return std::clamp(offset, -wanted, wanted) * across;
+/// A place on an arrow: `along` px from its tail, `across` to its left as seen on the screen.
+class Frame {
+ public:
+  explicit Frame(const ArrowShape& arrow) : tail_(arrow.tail) {
+    length_ = std::hypot(arrow.tip.x - arrow.tail.x, arrow.tip.y - arrow.tail.y);
+    axis_ = {(arrow.tip.x - arrow.tail.x) / length_, (arrow.tip.y - arrow.tail.y) / length_};
+  }
+  [[nodiscard]] float length() const { return length_; }
+  [[nodiscard]] Pixel at(float along, float across) const {
+    return {tail_.x + along * axis_.x + across * axis_.y,
+            tail_.y + along * axis_.y - across * axis_.x};
+  }
+
+ private:
+  Pixel tail_;
+  Pixel axis_;
+  float length_ = 0.0F;
+};
+
+void add_stroke(const ArrowShape& arrow, Pixel from, Pixel to, DrawList& list) {
+  list.add(SegmentShape{from, to, arrow.half_width + arrow.grow, 1.0F, arrow.color});
 }
 
-void add_forces(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
-  const ForceScale& scale = parts.options.force_scale;
-  if (scale.metres_per_newton <= 0.0) return;
-  for (const SnapshotForce& force : parts.snapshot.forces) {
-    const double magnitude = force.force.norm();
-    const double full = magnitude * scale.metres_per_newton;
-    const double length = std::min(full, scale.longest);
-    if (!(magnitude > scale.hidden_below)
-        || length * parts.view.pixels_per_metre < shortest_arrow * parts.unit) {
-      continue;
-    }
-    const Vec2 tail = force.point + step_aside(parts, force);
-    const Vec2 tip = tail + length / magnitude * force.force;
-    arrows.push_back({styled_arrow(parts, parts.pixel(tail), parts.pixel(tip),
-                                   force_color(parts.style, force.kind)),
-                      full > scale.longest});
+/// A head of two strokes, with its point `back` px behind the tip.
+void add_open_head(const ArrowShape& arrow, const Frame& frame, float back, DrawList& list) {
+  const Pixel point = frame.at(frame.length() - back - arrow.half_width, 0.0F);
+  const float foot = frame.length() - back - 0.8F * arrow.head_length;
+  for (const float side : {1.0F, -1.0F})
+    add_stroke(arrow, frame.at(foot, side * 0.8F * arrow.head_half_width), point, list);
+}
+
+void add_open(const ArrowShape& arrow, int heads, DrawList& list) {
+  const Frame frame(arrow);
+  add_stroke(arrow, arrow.tail, frame.at(frame.length() - arrow.half_width, 0.0F), list);
+  for (int k = 0; k < heads; ++k)
+    add_open_head(arrow, frame, static_cast<float>(k) * 0.55F * arrow.head_length, list);
+}
+
+/// Half a head, on the left of the shaft.
+void add_half(const ArrowShape& arrow, DrawList& list) {
+  const Frame frame(arrow);
+  const float base = frame.length() - 1.15F * arrow.head_length;
+  add_stroke(arrow, arrow.tail, frame.at(frame.length() - arrow.half_width, 0.0F), list);
+  const float reach = arrow.half_width + arrow.grow;
+  TriangleShape head;
+  head.a = frame.at(frame.length() + 1.5F * arrow.grow, -reach);
+  head.b = frame.at(base - arrow.grow, -reach);
+  head.c = frame.at(base - arrow.grow, 1.25F * arrow.head_half_width + 1.5F * arrow.grow);
+  head.fill = head.outline = arrow.color;
+  list.add(head);
+}
+
+/// The inside of a hollow arrow: all of its outline moved inwards by the rim.
+ArrowShape inside_of(const FrameParts& parts, const ArrowShape& arrow) {
+  const Frame frame(arrow);
+  const float rim = std::max(parts.weight(hollow_rim), 0.7F);
+  const float head = arrow.head_length;
+  const float wing = arrow.head_half_width;
+  const float notch = 0.25F * head;
+  const float slant = std::hypot(wing, head);
+  ArrowShape inside = arrow;
+  inside.tail = frame.at(rim, 0.0F);
+  inside.tip = frame.at(frame.length() - rim * slant / wing, 0.0F);
+  inside.half_width = std::max(arrow.half_width - rim, 0.0F);
+  inside.head_half_width =
+      std::max(wing - rim * (slant + std::hypot(wing, notch)) / (head - notch), 0.0F);
+  inside.head_length = head * inside.head_half_width / wing;
+  inside.color = with_alpha(parts.style.halo, 1.0);
+  return inside;
+}
+
+ArrowShape widened(const FrameParts& parts, ArrowShape arrow) {
+  const float wider = std::max(0.5F * parts.weight(hollow_width), 1.2F);
+  arrow.half_width = std::max(arrow.half_width, std::min(wider, 0.6F * arrow.head_half_width));
+  arrow.head_half_width *= static_cast<float>(hollow_head);
+  return arrow;
+}
+
+/// The sign of a broken axis across the shaft: what is drawn is not all of it.
+void add_break(const FrameParts& parts, const ArrowShape& arrow) {
+  const Frame frame(arrow);
+  const float gap = 0.5F * parts.weight(break_gap);
+  const float reach = parts.weight(break_reach);
+  const float place = static_cast<float>(break_at) * (frame.length() - arrow.head_length);
+  const auto stroke = [&](float along, float half_width, Color color) {
+    parts.list.add(SegmentShape{frame.at(along - 0.45F * reach, -reach),
+                                frame.at(along + 0.45F * reach, reach), half_width, 0.0F, color});
+  };
+  stroke(place, gap, with_alpha(parts.style.halo, 1.0));
+  for (const float side : {-1.0F, 1.0F})
+    stroke(place + side * gap, std::max(0.5F * parts.weight(1.5), 0.4F), arrow.color);
+}
+
+void paint(const FrameParts& parts, const PendingArrow& arrow, const ArrowShape& shape) {
+  switch (arrow.form) {
+    case ArrowForm::open:
+      return add_open(shape, 1, parts.list);
+    case ArrowForm::twice:
+      return add_open(shape, 2, parts.list);
+    case ArrowForm::half:
+      return add_half(shape, parts.list);
+    case ArrowForm::hollow:
+    case ArrowForm::filled:
+      return parts.list.add(shape);
   }
+}
+
+/// From a dot at the centre of the cube, so that it is seen whose it is.
+void add_vector(const FrameParts& parts,
+                const Vec2& from,
+                const Vec2& vector,
+                ArrowForm form,
+                Color color,
+                std::vector<PendingArrow>& arrows) {
+  const Vec2 tip = from + vector;
+  if (vector.norm() * parts.view.pixels_per_metre < shortest_arrow * parts.unit) return;
+  arrows.push_back({styled_arrow(parts, parts.pixel(from), parts.pixel(tip), color), form});
 }
 
 void add_velocities(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
   for (const SnapshotBox& box : parts.snapshot.boxes) {
-    const Vec2 tip = box.center + parts.options.metres_per_speed * box.velocity;
-    if ((tip - box.center).norm() * parts.view.pixels_per_metre < shortest_arrow * parts.unit)
-      continue;
-    arrows.push_back(
-        {styled_arrow(parts, parts.pixel(box.center), parts.pixel(tip), parts.style.velocity)});
+    const std::size_t before = arrows.size();
+    add_vector(parts, box.center, parts.options.metres_per_speed * box.velocity, ArrowForm::open,
+               parts.style.velocity, arrows);
+    if (arrows.size() > before)
+      add_dot(parts, parts.pixel(box.center), parts.style.velocity, center_dot);
   }
 }
 
-void add_normals(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
-  const double length = normal_length * parts.unit * parts.fineness / parts.view.pixels_per_metre;
-  for (const SnapshotContact& contact : parts.snapshot.contacts) {
-    ArrowShape arrow =
-        styled_arrow(parts, parts.pixel(contact.p_k),
-                     parts.pixel(contact.p_k + length * contact.normal), parts.style.normal);
-    arrow.half_width *= 0.7F;
-    arrows.push_back({arrow});
+/// Of the centre, and of the corners where the body turns: a + alpha r^perp - omega^2 r.
+void add_accelerations(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
+  const double scale = parts.options.metres_per_acceleration;
+  for (const SnapshotBox& box : parts.snapshot.boxes) {
+    if (box.fixed) continue;
+    const auto add = [&](const Vec2& from, const Vec2& acceleration) {
+      add_vector(parts, from, scale * acceleration, ArrowForm::twice, parts.style.acceleration,
+                 arrows);
+    };
+    add(box.center, box.acceleration);
+    const double turning =
+        (std::abs(box.angular_acceleration) + box.spin * box.spin) * 0.5 * box.size.norm();
+    if (turning * scale * parts.view.pixels_per_metre < shortest_arrow * parts.unit) continue;
+    const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
+    const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
+    for (const Vec2& r :
+         {Vec2(-along - across), Vec2(along - across), Vec2(along + across), Vec2(across - along)})
+      add(box.center + r,
+          box.acceleration + box.angular_acceleration * perp(r) - box.spin * box.spin * r);
   }
-}
-
-/// The head alone, behind the first one: this force is longer than it is drawn.
-ArrowShape second_head(const ArrowShape& arrow) {
-  const float dx = arrow.tip.x - arrow.tail.x;
-  const float dy = arrow.tip.y - arrow.tail.y;
-  const float back = static_cast<float>(second_head_at) * arrow.head_length / std::hypot(dx, dy);
-  ArrowShape head = arrow;
-  head.tip = {arrow.tip.x - back * dx, arrow.tip.y - back * dy};
-  return head;
 }
 
 }  // namespace
@@ -95,27 +188,56 @@ ArrowShape styled_arrow(const FrameParts& parts, Pixel tail, Pixel tip, Color co
 }
 
 void paint_arrows(const FrameParts& parts, const std::vector<PendingArrow>& arrows) {
+  const auto shape_of = [&parts](const PendingArrow& arrow) {
+    return arrow.form == ArrowForm::hollow ? widened(parts, arrow.shape) : arrow.shape;
+  };
   if (parts.style.halo.a > 0) {
     for (const PendingArrow& arrow : arrows) {
-      ArrowShape halo = arrow.shape;
+      ArrowShape halo = shape_of(arrow);
       halo.grow = parts.weight(parts.style.halo_width);
       halo.color = parts.style.halo;
-      parts.list.add(halo);
-      if (arrow.capped) parts.list.add(second_head(halo));
+      paint(parts, arrow, halo);
     }
   }
   for (const PendingArrow& arrow : arrows) {
-    parts.list.add(arrow.shape);
-    if (arrow.capped) parts.list.add(second_head(arrow.shape));
+    const ArrowShape shape = shape_of(arrow);
+    paint(parts, arrow, shape);
+    if (arrow.form == ArrowForm::hollow) parts.list.add(inside_of(parts, shape));
+    if (arrow.cut) add_break(parts, shape);
   }
 }
 
-void add_arrows(const FrameParts& parts) {
+void paint_normal(const FrameParts& parts, Pixel tail, Pixel tip) {
+  ArrowShape arrow = styled_arrow(parts, tail, tip, parts.style.normal);
+  arrow.half_width *= 0.45F;
+  arrow.head_length *= 0.7F;
+  arrow.head_half_width *= 0.7F;
+  add_open(arrow, 1, parts.list);
+}
+
+void add_normals(const FrameParts& parts) {
+  const double length = parts.metres(normal_length * parts.unit * parts.fineness);
+  for (const SnapshotContact& contact : parts.snapshot.contacts) {
+    paint_normal(parts, parts.pixel(contact.p_k),
+                 parts.pixel(contact.p_k + length * contact.normal));
+  }
+}
+
+std::vector<PendingArrow> add_arrows(const FrameParts& parts) {
   std::vector<PendingArrow> arrows;
-  if (parts.has(Layer::normals)) add_normals(parts, arrows);
+  if (parts.has(Layer::accelerations)) add_accelerations(parts, arrows);
   if (parts.has(Layer::velocities)) add_velocities(parts, arrows);
-  if (parts.has(Layer::forces)) add_forces(parts, arrows);
+  if (parts.options.force_scale.metres_per_newton > 0.0) {
+    if (parts.has(Layer::weights)) add_weights(parts, arrows);
+    if (parts.has(Layer::contact_forces)) add_contact_arrows(parts, arrows);
+    if (parts.has(Layer::forces) && !is_crowd(parts.snapshot)) add_joint_arrows(parts, arrows);
+  }
   paint_arrows(parts, arrows);
+  for (const PendingArrow& arrow : arrows) {
+    parts.labels.keep_off(arrow.shape.tail, arrow.shape.tip,
+                          static_cast<double>(arrow.shape.head_half_width));
+  }
+  return arrows;
 }
 
 }  // namespace wuerfel::internal

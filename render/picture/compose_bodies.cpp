@@ -14,6 +14,11 @@ constexpr double thickest_rod = 7.0;
 constexpr double thinnest_rod = 1.2;
 constexpr double largest_mass_radius = 11.0;
 constexpr double smallest_name = 0.6;  ///< of the text size
+constexpr double name_room = 0.9;      ///< of a side, that a name may take
+constexpr std::size_t most_sides = 4;  ///< all of which are drawn, however far apart
+constexpr double near_side = 0.3;      ///< of a side: sides farther off are not drawn among many
+
+}  // namespace
 
 bool visible(const FrameParts& parts, const SnapshotBox& box) {
   const Vec2 p = parts.view.to_pixel(box.center);
@@ -22,7 +27,9 @@ bool visible(const FrameParts& parts, const SnapshotBox& box) {
          && p.y() < parts.view.height + reach;
 }
 
-BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box) {
+namespace {
+
+BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box, Color fill) {
   const double ppm = parts.view.pixels_per_metre;
   BoxShape shape;
   shape.center = parts.pixel(box.center);
@@ -30,7 +37,7 @@ BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box) {
   shape.half_size = {static_cast<float>(0.5 * box.size.x() * ppm),
                      static_cast<float>(0.5 * box.size.y() * ppm)};
   const float smaller = std::min(shape.half_size.x, shape.half_size.y);
-  shape.fill = body_color(parts.style, box);
+  shape.fill = fill;
   // Coloured rods want quiet bodies.
   if (parts.has(Layer::rod_forces))
     shape.fill = mix(shape.fill, with_alpha(parts.style.halo, 1.0), 0.6);
@@ -61,11 +68,31 @@ std::vector<Vec2> joints(const std::vector<SnapshotRod>& rods) {
   return ends;
 }
 
+/// Strokes from one side of a triangle to another: what is negative differs by more than its colour.
+void hatch(const FrameParts& parts, const TriangleShape& triangle) {
+  const auto between = [](Pixel p, Pixel q, float share) {
+    return Pixel{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+  };
+  const float length = std::hypot(triangle.b.x - triangle.a.x, triangle.b.y - triangle.a.y);
+  const int count = std::clamp(static_cast<int>(length / parts.weight(9.0)), 2, 200);
+  SegmentShape stroke;
+  stroke.half_width = 0.5F * parts.weight(1.2);
+  stroke.round = 0.0F;
+  stroke.color = triangle.outline;
+  for (int i = 1; i < count; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(count);
+    stroke.from = between(triangle.a, triangle.b, share);
+    stroke.to = between(triangle.c, triangle.b, share);
+    parts.list.add(stroke);
+  }
+}
+
 }  // namespace
 
 void add_bodies(const FrameParts& parts) {
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    if (visible(parts, box)) parts.list.add(box_shape(parts, box));
+  for (std::size_t i = 0; i < parts.snapshot.boxes.size(); ++i) {
+    const SnapshotBox& box = parts.snapshot.boxes[i];
+    if (visible(parts, box)) parts.list.add(box_shape(parts, box, parts.colors[i]));
   }
 }
 
@@ -145,6 +172,9 @@ void add_contacts(const FrameParts& parts) {
 
 void add_sides(const FrameParts& parts) {
   for (const SnapshotSide& side : parts.snapshot.sides) {
+    const double base = std::max((side.p_j - side.p_i).norm(), 1e-300);
+    if (parts.snapshot.sides.size() > most_sides && std::abs(side.area) > near_side * base * base)
+      continue;
     const Color color = side.area < 0.0 ? parts.style.negative_side : parts.style.positive_side;
     TriangleShape triangle;
     triangle.a = parts.pixel(side.p_i);
@@ -154,10 +184,10 @@ void add_sides(const FrameParts& parts) {
     triangle.fill = with_alpha(color, 0.32);
     triangle.outline = color;
     const double ppm = parts.view.pixels_per_metre;
-    const double height =
-        std::abs(side.area) / std::max((side.p_j - side.p_i).norm(), 1e-300) * ppm;
+    const double height = std::abs(side.area) / base * ppm;
     if (static_cast<float>(height) > 2.0F * triangle.outline_width) {
       parts.list.add(triangle);
+      if (side.area < 0.0) hatch(parts, triangle);
     } else {
       parts.list.add(SegmentShape{triangle.a, triangle.b, triangle.outline_width, 1.0F, color});
     }
@@ -171,26 +201,42 @@ void add_sides(const FrameParts& parts) {
   }
 }
 
+// In the middle where it is free, else above or below it, else in a corner of the body.
 void add_names(const FrameParts& parts) {
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
+  for (std::size_t i = 0; i < parts.snapshot.boxes.size(); ++i) {
+    const SnapshotBox& box = parts.snapshot.boxes[i];
     if (!visible(parts, box) || box.name.empty()) continue;
-    const Color fill = body_color(parts.style, box);
     const double full = parts.style.text_size * parts.unit;
-    const bool flat = box.size.y() * parts.view.pixels_per_metre > 1.4 * full;
-    const double room = 0.86 * parts.view.pixels_per_metre
-                        * (flat ? box.size.x() : std::min(box.size.x(), box.size.y()));
+    const double ppm = parts.view.pixels_per_metre;
+    const double upright = std::abs(std::cos(box.angle)) > 0.7 ? box.size.x() : box.size.y();
+    const double high = std::abs(std::cos(box.angle)) > 0.7 ? box.size.y() : box.size.x();
+    const bool flat = high * ppm > 1.4 * full;
+    const double room = name_room * ppm * (flat ? upright : std::min(upright, high));
     const double width = parts.font.width(box.name, full);
     const double size = full * std::clamp(room / width, smallest_name, 1.0);
-    const Pixel center = parts.pixel(box.center);
+    const double shown = parts.font.width(box.name, size);
+    if (shown > room || 1.1 * size > high * ppm) {
+      ++parts.list.labels_left_out;
+      continue;
+    }
+    const Color fill = parts.colors[i];
     TextShape text;
     text.text = box.name;
     text.size = static_cast<float>(size);
-    text.baseline = {center.x - static_cast<float>(0.5 * parts.font.width(box.name, size)),
-                     center.y + static_cast<float>(0.36 * size)};
     text.color = brightness(fill) > 0.45 ? rgb(0x10161E) : rgb(0xFFFFFF);
     text.halo = fill;
     text.halo_width = static_cast<float>(2.0 * parts.unit);
-    parts.list.texts.push_back(text);
+    const Pixel center = parts.pixel(box.center);
+    const double down = std::max(0.5 * (high * ppm - 1.5 * size), 0.0);
+    const double aside = std::max(0.5 * (upright * ppm - 1.1 * shown), 0.0);
+    std::vector<Pixel> places;
+    for (const auto& [x, y] :
+         {std::pair(0.0, 0.0), std::pair(0.0, 0.55), std::pair(0.0, 1.0), std::pair(0.0, -0.55),
+          std::pair(0.0, -1.0), std::pair(-1.0, 0.0), std::pair(1.0, 0.0), std::pair(-1.0, 1.0),
+          std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)})
+      places.push_back({center.x + static_cast<float>(x * aside - 0.5 * shown),
+                        center.y + static_cast<float>(y * down + 0.36 * size)});
+    parts.labels.place(std::move(text), places, parts.font, parts.list);
   }
 }
 

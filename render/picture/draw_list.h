@@ -106,6 +106,7 @@ struct DrawList {
   std::vector<TriangleShape> triangles;
   std::vector<ShapeRun> runs;  ///< painting order
   std::vector<TextShape> texts;
+  int labels_left_out = 0;  ///< for want of a free place
 
   /// Equal lists are equal pictures.
   friend bool operator==(const DrawList&, const DrawList&) = default;

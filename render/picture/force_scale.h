@@ -14,30 +14,53 @@ double round_down_125(double value);
 
 struct ForceScale {
   double metres_per_newton = 0.0;  ///< 0: no arrows
-  double longest = 1e300;          ///< m; a longer arrow is cut there and marked with a second head
-  double hidden_below = 0.0;       ///< N; smaller forces are not drawn
+  double longest = 1e300;          ///< m; a longer arrow is cut there and marked as broken
+  double hidden_below = 0.0;       ///< N; smaller forces are dots
 };
+
+/// Where the arrow of a joint lies: it comes from inside the body that pushes and ends where it
+/// pushes. It stays inside that body.
+struct JointArrow {
+  Vec2 tail = Vec2::Zero();  ///< m
+  Vec2 tip = Vec2::Zero();   ///< m
+  bool cut = false;          ///< the force is larger than the arrow says
+
+  [[nodiscard]] double length() const { return (tip - tail).norm(); }
+};
+JointArrow joint_arrow(const Snapshot& snapshot,
+                       const SnapshotJoint& joint,
+                       const ForceScale& scale);
 
 /// What a run's forces look like, in constant memory: a histogram of their magnitudes over octaves.
 class ForceRange {
  public:
   void include(const Snapshot& snapshot);
-  double largest() const { return largest_; }  ///< N
+  double largest() const { return largest_; }    ///< N
+  double smallest() const { return smallest_; }  ///< N, greater than 0; 0 where there was none
+  /// Whether any of the forces is longer than its arrow.
+  bool cuts(const ForceScale& scale) const;
   double typical_side()
       const;  ///< m, mean over the cubes seen (geometric mean of width and height)
+  double typical_weight() const { return weight_; }  ///< N, the median of m g over the cubes
 
-  /// The scale at which the largest force is 1.5 typical sides long; where a few peaks (the last
-  /// hundredth of all arrows) tower above the rest, those are cut at 2.5 sides instead.
+  /// The scale at which the largest force is 0.8 typical sides long, but a typical weight at least
+  /// 0.1 and at most 0.5. What is longer than 0.8 sides is cut. The largest twentieth of all forces
+  /// does not count: a few peaks must not make all others small.
   ForceScale scale() const;
 
  private:
+  void include(double magnitude);
+
   static constexpr int bins_per_octave = 8;
   static constexpr int octaves = 400;
   std::array<std::uint64_t, static_cast<std::size_t>(bins_per_octave* octaves)> histogram_{};
   std::uint64_t count_ = 0;
   double largest_ = 0.0;
+  double smallest_ = 0.0;
+  double steepest_ = 0.0;  ///< N/m, of force over the room for its arrow
   double side_sum_ = 0.0;
   std::uint64_t side_count_ = 0;
+  double weight_ = 0.0;
 };
 
 /// The scale for the option --force-scale: `metres_per_newton` given, cut at six typical sides.

@@ -1,9 +1,8 @@
 /// FrameOptions: what is the same for all frames of a run.
 #pragma once
 
-#include <vector>
-
 #include "core/snapshot.h"
+#include "render/picture/body_color.h"
 #include "render/picture/force_scale.h"
 #include "render/picture/layers.h"
 #include "render/picture/style.h"
@@ -13,18 +12,35 @@ namespace wuerfel {
 
 struct FrameOptions {
   Layers layers = default_layers;
-  ForceScale force_scale;         ///< of force arrows; see ForceRange
-  double metres_per_speed = 0.0;  ///< m per m/s, of velocity arrows; 0: none
+  ForceScale force_scale;                ///< of force arrows; see ForceRange
+  double metres_per_speed = 0.0;         ///< m per m/s, of velocity arrows; 0: none
+  double metres_per_acceleration = 0.0;  ///< m per m/s^2, of accelerations; 0: none
   double full_rod_force = 0.0;  ///< N that makes a rod as thick as it gets; 0: the frame's largest
-  /// Kinds named in the legend. Chosen once for a run, so that the legend stands still.
-  std::vector<ForceKind> legend{ForceKind::contact};
+  Legend legend{LegendEntry::contact};
+  BodyColoring coloring;
+  double interval = 0.0;  ///< s between frames: how many digits the time has; 0: a still picture
   /// HiDPI factor on text, lines and arrow heads.
   double scale = 1.0;
 };
 
+/// From this number of cubes on forces are chains through the bodies, as wide as they are large,
+/// instead of arrows.
+constexpr int crowd = 300;
+bool is_crowd(const Snapshot& snapshot);
+
 /// Pixels per pixel of a 1280x720 picture: all weights grow with the picture, so that a poster
 /// looks like a thumbnail, but never below what can be read.
 double frame_unit(int width, int height, double scale);
+
+/// The parts of a HUD that a picture has room for: together they take no more than 40 % of its
+/// height.
+struct HudParts {
+  bool head = false;
+  bool foot = false;
+};
+HudParts hud_parts(const Style& style, const FrameOptions& options, int width, int height);
+
+constexpr double color_bar_width = 92.0;  ///< px of a 1280x720 picture, with its numbers
 
 /// What a fitted view keeps free for the HUD, or a plain margin without it.
 Insets frame_insets(const Style& style, const FrameOptions& options, int width, int height);

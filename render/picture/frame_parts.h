@@ -8,6 +8,7 @@
 #include "render/picture/draw_list.h"
 #include "render/picture/font.h"
 #include "render/picture/frame_options.h"
+#include "render/picture/labels.h"
 #include "render/picture/style.h"
 #include "render/picture/view.h"
 
@@ -21,7 +22,9 @@ struct FrameParts {
   const FrameOptions& options;
   double unit;      ///< px per px of a 1280x720 picture
   double fineness;  ///< 1; less where the cubes are so small that full line weights would bury them
+  std::vector<Color> colors;  ///< of the boxes
   Font& font;
+  Labels& labels;
   DrawList& list;
 
   bool has(Layer layer) const { return options.layers.has(layer); }
@@ -30,13 +33,26 @@ struct FrameParts {
     return {static_cast<float>(p.x()), static_cast<float>(p.y())};
   }
   float weight(double pixels) const { return static_cast<float>(pixels * unit * fineness); }
+  /// m
+  double metres(double pixels) const { return pixels / view.pixels_per_metre; }
+};
+
+/// Kinds of arrows differ by form as well as by colour.
+enum class ArrowForm {
+  filled,  ///< forces
+  hollow,  ///< forces that are not the only possible ones
+  half,    ///< friction: half a head, on the left
+  open,    ///< velocities: a head of two strokes
+  twice,   ///< accelerations: two such heads
 };
 
 /// An arrow waiting to be painted: all halos come before all arrows, so that no halo cuts a
 /// neighbour.
 struct PendingArrow {
   ArrowShape shape;
-  bool capped = false;
+  ArrowForm form = ArrowForm::filled;
+  bool cut = false;     ///< longer than it is drawn: broken near its tail
+  double newton = 0.0;  ///< of a force that may have its number beside it
 };
 
 void add_grid(const FrameParts& parts);
@@ -48,16 +64,41 @@ void add_rods(const FrameParts& parts);
 void add_rod_forces(const FrameParts& parts);
 void add_points(const FrameParts& parts);
 void add_contacts(const FrameParts& parts);
-void add_arrows(const FrameParts& parts);
+void add_normals(const FrameParts& parts);
+void add_pressure(const FrameParts& parts);
+void add_thrust(const FrameParts& parts);
+void add_chains(const FrameParts& parts);
+void add_impacts(const FrameParts& parts);
+/// Paints all arrows of the layers; labels keep off them from then on.
+std::vector<PendingArrow> add_arrows(const FrameParts& parts);
 void add_names(const FrameParts& parts);
 void add_hud(const FrameParts& parts);
 
+/// Arrows of the forces, and dots for those too small for one.
+void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
+void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
+void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows);
+/// Numbers beside the arrows, where there is room.
+void add_values(const FrameParts& parts, const std::vector<PendingArrow>& arrows);
+
+/// N; smaller forces are dots: their arrows would be shorter than a head.
+double least_arrow(const FrameParts& parts);
+
+constexpr double force_dot = 2.4;  ///< px, the radius of a dot
+/// The dot of a force too small for an arrow.
+void add_dot(const FrameParts& parts, Pixel place, Color color, double radius);
+
 /// An arrow from `tail` to `tip` in the style's weights; small arrows get small heads.
 ArrowShape styled_arrow(const FrameParts& parts, Pixel tail, Pixel tip, Color color);
-/// Halos first, then the arrows; a capped one with a second head.
+/// Halos first, then the arrows.
 void paint_arrows(const FrameParts& parts, const std::vector<PendingArrow>& arrows);
+
+/// A thin arrow without a halo or a filled head: no force.
+void paint_normal(const FrameParts& parts, Pixel tail, Pixel tip);
 
 /// True where the world point lies in a half-plane.
 bool in_ground(const FrameParts& parts, const Vec2& world);
+/// False where a box lies outside the picture.
+bool visible(const FrameParts& parts, const SnapshotBox& box);
 
 }  // namespace wuerfel::internal

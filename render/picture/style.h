@@ -37,6 +37,10 @@ struct Style {
   Color tension;      ///< in a rod
   Color compression;  ///< in a rod
   Color velocity;
+  Color acceleration;
+  Color own_weight;  ///< m g of a cube
+  Color thrust;
+  Color chain;  ///< forces through a crowd
   Color normal;
   Color positive_side;  ///< triangle of Eq. (2), outside
   Color negative_side;  ///< ... inside

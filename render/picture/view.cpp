@@ -61,6 +61,8 @@ void Bounds::include(const Snapshot& snapshot, const ForceScale& force_scale) {
     if (shown > 0.0)
       include(Vec2(force.point + force_scale.metres_per_newton * shown / length * force.force));
   }
+  for (const SnapshotJoint& joint : snapshot.joints)
+    include(joint_arrow(snapshot, joint, force_scale).tail);
 }
 
 View fit_view(const Bounds& bounds, int width, int height, const Insets& insets) {

@@ -24,7 +24,7 @@ class Usage(ProgramTest):
         scene = self.scene(FLYING)
         for arguments in ((), ("jump",), ("run",), ("check",), ("figure", scene), ("--json",),
                           ("run", scene, "--nonsense"), ("run", scene, "--fsp", "30"), ("run", scene, "extra"),
-                          ("run", scene, "--resume"), ("check", scene, "--fps", "30"), ("check", scene, "--margin"),
+                          ("run", scene, "--resume"), ("check", scene, "--fps", "30"), ("check", scene, "--margins"),
                           ("figure", scene, "-o", "a.png", "--fps", "4"), ("scenes", "nosuch"),
                           ("schema", "extra")):
             with self.subTest(arguments):

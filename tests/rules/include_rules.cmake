@@ -1,6 +1,6 @@
 # Fails where a module includes what it must not know:
 #   app -> render -> core/snapshot.h,  app -> core
-#   inside core: geometry <- scene <- model <- constraints <- dynamics <- time, and qp beside them
+#   inside core: geometry <- scene <- model <- constraints <- dynamics <- statics <- time, and qp beside them
 # Run: cmake -DROOT=<source folder> -P include_rules.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -68,14 +68,15 @@ endif()
 
 # Each folder of core knows itself and what stands before it.
 set(settings core/settings\\.h)
-set(known_core_folders geometry scene model constraints dynamics qp time)
+set(known_core_folders geometry scene model constraints dynamics statics qp time)
 set(geometry core/geometry/ Eigen/)
 set(scene ${geometry} core/scene/ toml\\+\\+/ nlohmann/ fmt/)
 set(model ${geometry} "core/scene/(scene|overlap)\\.h" core/model/)
 set(constraints ${model} core/constraints/)
 set(qp core/qp/ Ip[A-Z] coin Eigen/)
 set(dynamics ${constraints} core/dynamics/ "core/qp/((quadratic_program|qp_solver|residual_meter|methods/(canonical_multipliers|equality_solver))\\.h|coulomb/)" ${settings})
-set(time ${dynamics} core/time/ core/snapshot\\.h core/scene/ core/check\\.h fmt/)
+set(statics ${dynamics} core/statics/)
+set(time ${statics} core/time/ core/snapshot\\.h core/scene/ core/check\\.h fmt/)
 
 foreach(folder IN LISTS known_core_folders)
   sources_below(core/${folder} found)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/qp/block/block_kernels.h"
+#include "core/qp/block/block_pattern.h"
 
 namespace wuerfel {
 
@@ -22,30 +23,23 @@ class BlockCholesky {
 
   /// Place of block (row, column), row >= column, both in the order of elimination; -1 if it is not
   /// in the pattern of L.
-  [[nodiscard]] int place(int row, int column) const;
-  [[nodiscard]] int blocks() const { return blocks_; }
+  [[nodiscard]] int place(int row, int column) const { return pattern_.place(row, column); }
+  [[nodiscard]] int blocks() const { return pattern_.blocks; }
   /// Number of blocks of L.
-  [[nodiscard]] int fill() const { return blocks_ > 0 ? column_start_.back() : 0; }
+  [[nodiscard]] int fill() const { return pattern_.fill(); }
 
   /// K = I + sum_i d_i g_i g_i'.
   void factorise(const BlockRows& rows, const double* d);
   /// v := K^-1 v.
-  void solve(Quad* v) const { kernels_->solve(view(), v); }
+  void solve(Quad* v) { kernels_->solve(view(), v); }
 
  private:
-  [[nodiscard]] BlockFactor view() const;
-  void find_columns(const std::vector<int>& start,
-                    const std::vector<int>& neighbour,
-                    const std::vector<int>& order);
-  void list_rows();
+  [[nodiscard]] BlockFactor view();
 
   const BlockKernels* kernels_;
-  int blocks_ = 0;
-  std::vector<int> column_start_, row_, list_start_, list_column_, list_place_;
-  std::vector<int> position_, mark_, first_child_, next_sibling_;
-  // Written by the numeric part only.
-  mutable std::vector<Quad> L_, pivot_, inverse_;
-  mutable std::vector<int> place_of_;
+  BlockPattern pattern_;
+  std::vector<Quad> L_, pivot_, inverse_;
+  std::vector<int> place_of_;
 };
 
 }  // namespace wuerfel

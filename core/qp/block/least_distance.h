@@ -48,7 +48,7 @@ class LeastDistance {
   }
   /// K = I + G' diag(d) G, d >= 0
   void factorise(const double* d) { cholesky_.factorise(view_, d); }
-  void solve(Quad* v) const { cholesky_.solve(v); }
+  void solve(Quad* v) { cholesky_.solve(v); }
 
   /// The largest force M^(1/2) u of an unbalance u = y - G' lambda, as QpResidual measures it.
   [[nodiscard]] double force_of(const std::vector<Quad>& unbalance) const;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-
-#include "core/qp/block/elimination_order.h"
 
 namespace wuerfel {
 namespace {
@@ -73,85 +70,19 @@ void BlockLu::plan(int blocks,
                    const std::vector<int>& start,
                    const std::vector<int>& neighbour,
                    std::vector<int>& order) {
-  blocks_ = blocks;
-  elimination_order(blocks, start, neighbour, order);
-  find_columns(start, neighbour, order);
-  list_rows();
-  lower_.resize(3 * row_.size());
-  upper_.resize(3 * row_.size());
+  pattern_.plan(blocks, start, neighbour, order);
+  lower_.resize(3 * pattern_.row.size());
+  upper_.resize(3 * pattern_.row.size());
   inverse_.resize(3 * order.size());
   place_of_.resize(order.size());
-}
-
-/// Column j holds what K has there and what its children in the elimination tree pass on: all but
-/// themselves.
-void BlockLu::find_columns(const std::vector<int>& start,
-                           const std::vector<int>& neighbour,
-                           const std::vector<int>& order) {
-  position_.resize(order.size());
-  for (int j = 0; j < blocks_; ++j)
-    position_[order[j]] = j;
-  mark_.assign(order.size(), -1);
-  first_child_.assign(order.size(), -1);
-  next_sibling_.assign(order.size(), -1);
-  column_start_.assign(1, 0);
-  row_.clear();
-  for (int j = 0; j < blocks_; ++j) {
-    const auto first = static_cast<std::ptrdiff_t>(row_.size());
-    const auto add = [&](int i) {
-      if (i < j || mark_[i] == j) return;
-      mark_[i] = j;
-      row_.push_back(i);
-    };
-    add(j);
-    for (int e = start[order[j]]; e < start[order[j] + 1]; ++e)
-      add(position_[neighbour[e]]);
-    for (int child = first_child_[j]; child >= 0; child = next_sibling_[child]) {
-      for (int q = column_start_[child] + 1; q < column_start_[child + 1]; ++q)
-        add(row_[q]);
-    }
-    std::sort(row_.begin() + first, row_.end());
-    column_start_.push_back(static_cast<int>(row_.size()));
-    if (static_cast<std::ptrdiff_t>(row_.size()) == first + 1) continue;
-    const int parent = row_[first + 1];
-    next_sibling_[j] = first_child_[parent];
-    first_child_[parent] = j;
-  }
-}
-
-void BlockLu::list_rows() {
-  list_start_.assign(mark_.size() + 1, 0);
-  for (int j = 0; j < blocks_; ++j) {
-    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q)
-      ++list_start_[row_[q] + 1];
-  }
-  for (int j = 0; j < blocks_; ++j)
-    list_start_[j + 1] += list_start_[j];
-  list_column_.resize(list_start_.back());
-  list_place_.resize(list_start_.back());
-  std::copy(list_start_.begin(), list_start_.end() - 1, mark_.begin());
-  for (int j = 0; j < blocks_; ++j) {
-    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q) {
-      const int l = mark_[row_[q]]++;
-      list_column_[l] = j;
-      list_place_[l] = q;
-    }
-  }
-}
-
-int BlockLu::place(int row, int column) const {
-  const auto first = row_.begin() + column_start_[column];
-  const auto last = row_.begin() + column_start_[column + 1];
-  const auto found = std::lower_bound(first, last, row);
-  return found != last && *found == row ? static_cast<int>(found - row_.begin()) : -1;
 }
 
 void BlockLu::set_identity() {
   std::fill(lower_.begin(), lower_.end(), Quad{});
   std::fill(upper_.begin(), upper_.end(), Quad{});
-  for (int j = 0; j < blocks_; ++j) {
+  for (int j = 0; j < pattern_.blocks; ++j) {
     for (int c = 0; c < 3; ++c)
-      lower(column_start_[j])[c].v[c] = 1.0;
+      lower(pattern_.column_start[j])[c].v[c] = 1.0;
   }
 }
 
@@ -159,19 +90,19 @@ void BlockLu::set_identity() {
 [[gnu::target_clones("avx2", "default")]] bool BlockLu::factorise() {
   sign_ = 1;
   bool regular = true;
-  for (int j = 0; j < blocks_; ++j) {
-    const int diagonal = column_start_[j];
-    const int end = column_start_[j + 1];
+  for (int j = 0; j < pattern_.blocks; ++j) {
+    const int diagonal = pattern_.column_start[j];
+    const int end = pattern_.column_start[j + 1];
     for (int q = diagonal; q < end; ++q)
-      place_of_[row_[q]] = q;
-    for (int l = list_start_[j]; l < list_start_[j + 1]; ++l) {
-      const int k = list_column_[l];
-      const int place = list_place_[l];
+      place_of_[pattern_.row[q]] = q;
+    for (int l = pattern_.list_start[j]; l < pattern_.list_start[j + 1]; ++l) {
+      const int k = pattern_.list_column[l];
+      const int place = pattern_.list_place[l];
       const Quad* L_jk = lower_.data() + 3 * place;
       const Quad* U_kj = upper_.data() + 3 * place;
       subtract_product(L_jk, U_kj, lower_.data() + 3 * diagonal);
-      for (int q = place + 1; q < column_start_[k + 1]; ++q) {
-        const int to = 3 * place_of_[row_[q]];
+      for (int q = place + 1; q < pattern_.column_start[k + 1]; ++q) {
+        const int to = 3 * place_of_[pattern_.row[q]];
         subtract_product(lower_.data() + 3 * q, U_kj, lower_.data() + to);
         subtract_product(upper_.data() + 3 * q, L_jk, upper_.data() + to);
       }
@@ -191,20 +122,20 @@ void BlockLu::set_identity() {
 }
 
 [[gnu::target_clones("avx2", "default")]] void BlockLu::solve(Quad* v) const {
-  for (int j = 0; j < blocks_; ++j) {
+  for (int j = 0; j < pattern_.blocks; ++j) {
     const Quad z = v[j];
-    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q) {
+    for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {
       const Quad* L = lower_.data() + 3 * q;
-      double* t = v[row_[q]].v;
+      double* t = v[pattern_.row[q]].v;
       for (int r = 0; r < 4; ++r)
         t[r] -= (L[0].v[r] * z.v[0] + L[1].v[r] * z.v[1]) + L[2].v[r] * z.v[2];
     }
   }
-  for (int j = blocks_ - 1; j >= 0; --j) {
+  for (int j = pattern_.blocks - 1; j >= 0; --j) {
     double z[3] = {v[j].v[0], v[j].v[1], v[j].v[2]};
-    for (int q = column_start_[j] + 1; q < column_start_[j + 1]; ++q) {
+    for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {
       const Quad* U = upper_.data() + 3 * q;
-      const double* x = v[row_[q]].v;
+      const double* x = v[pattern_.row[q]].v;
       for (int c = 0; c < 3; ++c)
         z[c] -= (U[c].v[0] * x[0] + U[c].v[1] * x[1]) + U[c].v[2] * x[2];
     }

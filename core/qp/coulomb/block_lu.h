@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/qp/block/block_kernels.h"
+#include "core/qp/block/block_pattern.h"
 
 namespace wuerfel {
 
@@ -20,8 +21,8 @@ class BlockLu {
             const std::vector<int>& neighbour,
             std::vector<int>& order);
   /// Place of block (row, column), row >= column; -1 if it is not in the pattern.
-  [[nodiscard]] int place(int row, int column) const;
-  [[nodiscard]] int blocks() const { return blocks_; }
+  [[nodiscard]] int place(int row, int column) const { return pattern_.place(row, column); }
+  [[nodiscard]] int blocks() const { return pattern_.blocks; }
 
   /// K := I; K is then filled through `lower` and `upper`.
   void set_identity();
@@ -37,15 +38,9 @@ class BlockLu {
   void solve(Quad* v) const;
 
  private:
-  void find_columns(const std::vector<int>& start,
-                    const std::vector<int>& neighbour,
-                    const std::vector<int>& order);
-  void list_rows();
-
-  int blocks_ = 0;
+  BlockPattern pattern_;
   int sign_ = 1;
-  std::vector<int> column_start_, row_, list_start_, list_column_, list_place_;
-  std::vector<int> position_, mark_, first_child_, next_sibling_, place_of_;
+  std::vector<int> place_of_;
   std::vector<Quad> lower_, upper_, inverse_;  ///< inverse: of the diagonal blocks, three columns
 };
 

@@ -8,9 +8,9 @@
 namespace wuerfel {
 namespace {
 
-constexpr int known_factorisations = 8;    ///< of newton from remembered modes
+constexpr int known_factorisations = 12;   ///< of newton from remembered modes
 constexpr int guessed_factorisations = 4;  ///< from none
-constexpr int interior_seeds = 8;
+constexpr int interior_seeds = 4;
 constexpr int lemke_seeds = 3;
 constexpr int most_from_open = 600;  ///< contacts of programs for which lemke is tried
 constexpr int most_pivoted = 120;    ///< contacts of programs that are followed with pivoting
@@ -18,6 +18,10 @@ constexpr int most_pivoted = 120;    ///< contacts of programs that are followed
 bool any_slides(const FrictionProgram& friction) {
   return std::any_of(friction.contacts.begin(), friction.contacts.end(),
                      [](const FrictionContact& c) { return c.slides != 0 && c.mu > 0.0; });
+}
+
+bool any_slips(const std::vector<ContactMode>& modes) {
+  return std::ranges::any_of(modes, [](ContactMode mode) { return slip_sign(mode) != 0.0; });
 }
 
 /// Whether x = 0 satisfies all rows, so that a solution exists. [Anitescu, Potra 1997]
@@ -121,8 +125,14 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
     start(keys);
     const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
     if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
-  } else if (stages.relax(friction, result)) {
-    return true;
+  } else {
+    // What slides is lifted by the convex relaxation: there is no use in asking it again.
+    const bool slides = known && any_slips(stages.modes);
+    if (known) {
+      start(keys);
+      if (stages.follow_shortly(friction, result)) return true;
+    }
+    if (!slides && stages.relax(friction, result)) return true;
   }
   return insist(friction, result);
 }

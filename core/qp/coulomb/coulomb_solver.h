@@ -3,9 +3,9 @@
 /// Stages, each judged by CoulombJudge, the first within the tolerance is the answer:
 ///
 ///     certificate   the last forces still solve this program
-///     newton        from the modes remembered, or all sticking
+///     newton        from the modes remembered, or all sticking; by a short path from what is remembered
 ///     convex        the convex relaxation, where it happens to satisfy the exact law; then newton
-///                   from its modes
+///                   from its modes; not asked where something slipped in the modes remembered
 ///     interior      the interior point method on the exact law; newton from its modes
 ///     path          the piecewise linear path from the point that is best so far
 ///     lemke         the path from all contacts open, which always arrives but for rounding; three

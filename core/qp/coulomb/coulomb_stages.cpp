@@ -7,12 +7,18 @@ namespace wuerfel {
 namespace {
 
 constexpr double usual_delta = 1e-8;
-constexpr double pivoted_delta = 1e-11;
 constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without pivoting
 constexpr double least_path_delta = 1e-12;
 constexpr double convex_tolerance = 1e-12;
-constexpr double worth_settling = 1e-4;           ///< of an interior point
-constexpr int most_settled_with_pivoting = 1000;  ///< units
+constexpr double worth_settling = 1e-4;  ///< of an interior point
+constexpr double interior_goal = 1e-7;   ///< where pairs vanish together no more is to be had
+constexpr double large_delta = 1e-4;     ///< of settling at first
+constexpr int settling_factorisations = 40;
+constexpr double near_margin = 1e-9;
+constexpr double near_delta_fall = 0.1;
+constexpr int most_near_crossings = 100;
+constexpr double short_margin = 1e-6;
+constexpr int most_short_crossings = 50;
 constexpr int crossings_per_contact = 12;
 constexpr int most_crossings = 3000;
 constexpr int most_proximal_steps = 8;
@@ -58,7 +64,7 @@ bool CoulombStages::newton(const FrictionProgram& friction,
                            int most_factorisations,
                            CoulombResult& result) {
   const ModeNewtonOutcome outcome = mode_newton_.run(
-      form_, modes, point, {.delta = usual_delta, .most_factorisations = most_factorisations});
+      form_, modes, point, {.delta = path_delta, .most_factorisations = most_factorisations});
   result.factorisations += outcome.factorisations;
   return outcome.settled && judge_point(friction, CoulombStage::newton, result);
 }
@@ -93,6 +99,16 @@ void CoulombStages::find_modes() {
   }
 }
 
+/// From what is remembered, where few contacts have changed.
+bool CoulombStages::follow_shortly(const FrictionProgram& friction, CoulombResult& result) {
+  const std::vector<Pair> centre = point.l;
+  const ModePathOutcome outcome = mode_path_.run(
+      form_, modes, point, centre, 0,
+      {.delta = path_delta, .most_crossings = most_short_crossings, .margin = short_margin});
+  result.crossings += outcome.crossings;
+  return outcome.arrived && settle(friction, CoulombStage::newton, result);
+}
+
 bool CoulombStages::relax(const FrictionProgram& friction, CoulombResult& result) {
   const QpStatus status = convex_.solve(friction);
   result.factorisations += convex_.iterations();
@@ -117,8 +133,8 @@ bool CoulombStages::interior(const FrictionProgram& friction,
                              double spread,
                              std::uint64_t seed,
                              CoulombResult& result) {
-  const ConeInteriorOutcome outcome =
-      cone_interior_.run(form_, scales_.weight, {.spread = spread, .seed = seed}, point);
+  const ConeInteriorOutcome outcome = cone_interior_.run(
+      form_, scales_.weight, {.goal = interior_goal, .spread = spread, .seed = seed}, point);
   result.factorisations += outcome.factorisations;
   find_modes();
   if (judge_point(friction, CoulombStage::interior, result)) return true;
@@ -146,27 +162,50 @@ bool CoulombStages::follow(const FrictionProgram& friction,
     ended_on_ray_ = outcome.ray;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
+    if (!std::isfinite(point.y.front().v[0])) return false;
     if (settle(friction, stage, result)) return true;
     centre = point.l;
   }
   return false;
 }
 
-/// Takes the compliance away, modes as they are or nearly.
+/// From a point that is nearly right to one that is: by Newton's method, and where that goes round in
+/// circles by a path.
 bool CoulombStages::settle(const FrictionProgram& friction,
                            CoulombStage stage,
                            CoulombResult& result) {
   const std::vector<ContactMode> kept_modes = modes;
   const ContactPoint kept_point = point;
-  for (const Pivoting how : {Pivoting::none, Pivoting::full}) {
-    if (how == Pivoting::full && form_.count() > most_settled_with_pivoting) break;
-    const double compliance = how == Pivoting::none ? usual_delta : pivoted_delta;
-    const ModeNewtonOutcome outcome = mode_newton_.run(
-        form_, modes, point, {.delta = compliance, .pivoting = how, .most_factorisations = 4});
-    result.factorisations += outcome.factorisations;
+  const ModeNewtonOutcome outcome =
+      mode_newton_.run(form_, modes, point,
+                       {.delta = large_delta,
+                        .least_delta = usual_delta,
+                        .most_factorisations = settling_factorisations});
+  result.factorisations += outcome.factorisations;
+  if (judge_point(friction, stage, result)) return true;
+  modes = kept_modes;
+  point = kept_point;
+  if (follow_near(friction, stage, result)) return true;
+  modes = kept_modes;
+  point = kept_point;
+  return false;
+}
+
+/// Proximal steps, each by a path that is short: the point is moved by no more than it misses.
+bool CoulombStages::follow_near(const FrictionProgram& friction,
+                                CoulombStage stage,
+                                CoulombResult& result) {
+  std::vector<Pair> centre = point.l;
+  ModePathEffort effort{
+      .delta = path_delta, .most_crossings = most_near_crossings, .margin = near_margin};
+  for (int k = 0; k < most_proximal_steps; ++k) {
+    const auto seed = static_cast<std::uint64_t>(k);
+    const ModePathOutcome outcome = mode_path_.run(form_, modes, point, centre, seed, effort);
+    effort.delta = std::max(near_delta_fall * effort.delta, least_path_delta);
+    result.crossings += outcome.crossings;
+    if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
-    modes = kept_modes;
-    point = kept_point;
+    centre = point.l;
   }
   return false;
 }

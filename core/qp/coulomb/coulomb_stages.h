@@ -25,6 +25,7 @@ class CoulombStages {
   /// Each true if the result is within the tolerance.
   bool certificate(const FrictionProgram& friction, CoulombResult& result);
   bool newton(const FrictionProgram& friction, int most_factorisations, CoulombResult& result);
+  bool follow_shortly(const FrictionProgram& friction, CoulombResult& result);
   bool relax(const FrictionProgram& friction, CoulombResult& result);
   bool interior(const FrictionProgram& friction,
                 double spread,
@@ -53,6 +54,7 @@ class CoulombStages {
  private:
   [[nodiscard]] bool rows_hold() const;
   bool settle(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
+  bool follow_near(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool accept(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool judge_point(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   void find_modes();

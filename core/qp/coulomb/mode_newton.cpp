@@ -7,7 +7,9 @@ namespace wuerfel {
 namespace {
 
 constexpr double noise_share = 1e-13;
-constexpr int most_passes = 12;  ///< back-solves per factorisation
+constexpr int most_passes = 100;     ///< back-solves per factorisation
+constexpr double slow_share = 0.5;   ///< of what rows miss that a proximal step leaves
+constexpr double delta_fall = 1e-2;  ///< by which compliance shrinks then
 
 /// What the forces and velocities of a unit ask for.
 ContactMode wanted_mode(const ContactUnit& unit,
@@ -34,22 +36,44 @@ ContactMode wanted_mode(const ContactUnit& unit,
   return mode;
 }
 
+void follow_modes(const ContactForm& form,
+                  const std::vector<ContactMode>& modes,
+                  ContactPoint& point) {
+  for (int i = 0; i < form.count(); ++i)
+    follow_mode(form.units()[i], modes[i], point.l[i]);
+}
+
+/// What rows in force miss, relative to the largest velocity.
+double missed_by(const ContactForm& form,
+                 const std::vector<ContactMode>& modes,
+                 const ContactPoint& point) {
+  double missed = 0.0;
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    if (modes[i] != ContactMode::open)
+      missed = std::max(missed, std::abs(point.rest[i].n) * unit.per_velocity.n);
+    if (modes[i] == ContactMode::stick)
+      missed = std::max(missed, std::abs(point.rest[i].t) * unit.per_velocity.t);
+  }
+  return missed;
+}
+
 }  // namespace
 
 int revise_modes(const ContactForm& form,
-                 const ContactPoint& point,
+                 const std::vector<Pair>& l,
+                 const std::vector<Pair>& rest,
                  double noise,
                  std::vector<ContactMode>& modes) {
   double force = 0.0;
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
-    force = std::max(
-        {force, std::abs(point.l[i].n) * unit.norm.n, std::abs(point.l[i].t) * unit.norm.t});
+    force = std::max({force, std::abs(l[i].n) * unit.norm.n, std::abs(l[i].t) * unit.norm.t});
   }
   int moved = 0;
   for (int i = 0; i < form.count(); ++i) {
     const ContactMode wanted =
-        wanted_mode(form.units()[i], modes[i], point.l[i], point.rest[i], noise, noise * force);
+        wanted_mode(form.units()[i], modes[i], l[i], rest[i], noise, noise * force);
     if (wanted == modes[i]) continue;
     modes[i] = wanted;
     ++moved;
@@ -57,34 +81,58 @@ int revise_modes(const ContactForm& form,
   return moved;
 }
 
-/// One solve of the piece; returns what rows in force missed before it.
-double ModeNewton::step(const ContactForm& form,
-                        const std::vector<ContactMode>& modes,
-                        ContactPoint& point) {
+/// -(u + d (l - c)) of every unit.
+void ModeNewton::find_missing(const ContactForm& form, const ContactPoint& point) {
+  missing_.resize(point.l.size());
+  for (int i = 0; i < form.count(); ++i) {
+    const Pair& d = form.units()[i].compliance;
+    missing_[i] = {point.rest[i].n - delta_ * d.n * (point.l[i].n - centre_[i].n),
+                   point.rest[i].t - delta_ * d.t * (point.l[i].t - centre_[i].t)};
+  }
+}
+
+/// To the solution of the piece, but for rounding.
+void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
   unbalance_.resize(point.y.size());
   form.apply_transposed(point.l.data(), unbalance_.data());
   for (std::size_t b = 0; b < unbalance_.size(); ++b) {
     for (int c = 0; c < 3; ++c)
       unbalance_[b].v[c] -= point.y[b].v[c];
   }
-  system_.solve(form, point.rest, unbalance_);
-  double missed = 0.0;
+  find_missing(form, point);
+  system_.solve(form, missing_, unbalance_);
   for (int i = 0; i < form.count(); ++i) {
-    const ContactUnit& unit = form.units()[i];
     point.l[i].n += system_.dl()[i].n;
     point.l[i].t += system_.dl()[i].t;
     point.rest[i].n -= system_.Gdy()[i].n;
     point.rest[i].t -= system_.Gdy()[i].t;
-    if (modes[i] != ContactMode::open)
-      missed = std::max(missed, std::abs(point.rest[i].n) * unit.per_velocity.n);
-    if (modes[i] == ContactMode::stick)
-      missed = std::max(missed, std::abs(point.rest[i].t) * unit.per_velocity.t);
   }
   for (std::size_t b = 0; b < point.y.size(); ++b) {
     for (int c = 0; c < 3; ++c)
       point.y[b].v[c] += system_.dy()[b].v[c];
   }
-  return missed;
+}
+
+/// Until modes ask to be changed, rows in force are within the goal, or it gets on too slowly.
+ModeNewton::Outcome ModeNewton::take_proximal_steps(const ContactForm& form,
+                                                    std::vector<ContactMode>& modes,
+                                                    ContactPoint& point,
+                                                    const ModeNewtonEffort& effort) {
+  double former = unbounded;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    step(form, point);
+    find_missing(form, point);
+    if (revise_modes(form, point.l, missing_, noise_share, modes) > 0) return Outcome::moved;
+    centre_ = point.l;
+    const double missed = missed_by(form, modes, point);
+    if (missed <= effort.goal) {
+      step(form, point);  // what compliance has left is rounding then
+      return Outcome::settled;
+    }
+    if (delta_ > effort.least_delta && !(missed < slow_share * former)) return Outcome::slow;
+    former = missed;
+  }
+  return Outcome::stuck;
 }
 
 ModeNewtonOutcome ModeNewton::run(ContactForm& form,
@@ -92,19 +140,17 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
                                   ContactPoint& point,
                                   const ModeNewtonEffort& effort) {
   ModeNewtonOutcome outcome;
+  delta_ = effort.delta;
+  follow_modes(form, modes, point);
+  centre_ = point.l;
   while (outcome.factorisations < effort.most_factorisations) {
-    for (int i = 0; i < form.count(); ++i)
-      follow_mode(form.units()[i], modes[i], point.l[i]);
     ++outcome.factorisations;
-    if (!system_.factorise(form, modes, effort.delta, effort.pivoting)) return outcome;
-    bool same = true;
-    for (int pass = 0; same && pass < most_passes; ++pass) {
-      const double missed = step(form, modes, point);
-      same = revise_modes(form, point, noise_share, modes) == 0;
-      outcome.settled = same && missed <= effort.goal;
-      if (outcome.settled) return outcome;
-    }
-    if (same) return outcome;
+    if (!system_.factorise(form, modes, delta_, effort.pivoting)) return outcome;
+    const Outcome found = take_proximal_steps(form, modes, point, effort);
+    outcome.settled = found == Outcome::settled;
+    if (outcome.settled || found == Outcome::stuck) return outcome;
+    if (found == Outcome::slow) delta_ = std::max(delta_fall * delta_, effort.least_delta);
+    follow_modes(form, modes, point);
   }
   return outcome;
 }

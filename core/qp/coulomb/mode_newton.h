@@ -3,6 +3,12 @@
 /// Methods Appl. Mech. Engrg. 92; here with one modes' linear piece per step and the proximal
 /// compliance of ModeSystem. One factorisation where the modes are right; it need not end from wrong
 /// ones.
+///
+/// Compliance counts from the same forces until modes are confirmed, and then from those found there:
+/// proximal steps [Rockafellar 1976] R. T. Rockafellar, Monotone operators and the proximal point
+/// algorithm, SIAM J. Control Optim. 14. Wrong modes of redundant contacts press with what their rows
+/// miss over the compliance, so that a large one holds better and a small one ends sooner: it begins
+/// with the first and shrinks where proximal steps are slow.
 #pragma once
 
 #include <vector>
@@ -12,7 +18,8 @@
 namespace wuerfel {
 
 struct ModeNewtonEffort {
-  double delta = 1e-8;
+  double delta = 1e-8;        ///< at first
+  double least_delta = 1e-8;  ///< at last
   Pivoting pivoting = Pivoting::none;
   double goal = 1e-12;  ///< what rows in force may miss, relative to the largest velocity
   int most_factorisations = 8;
@@ -31,16 +38,26 @@ class ModeNewton {
                         const ModeNewtonEffort& effort);
 
  private:
-  double step(const ContactForm& form, const std::vector<ContactMode>& modes, ContactPoint& point);
+  enum class Outcome { moved, slow, stuck, settled };
+  Outcome take_proximal_steps(const ContactForm& form,
+                              std::vector<ContactMode>& modes,
+                              ContactPoint& point,
+                              const ModeNewtonEffort& effort);
+  void step(const ContactForm& form, ContactPoint& point);
+  void find_missing(const ContactForm& form, const ContactPoint& point);
 
   ModeSystem system_;
+  double delta_ = 0.0;
+  std::vector<Pair> centre_;   ///< forces from which compliance counts
+  std::vector<Pair> missing_;  ///< of the rows, compliance included
   std::vector<Quad> unbalance_;
 };
 
-/// Moves each contact to the mode its forces and velocities ask for; how many moved. `noise` is the
-/// share of the largest force and velocity that counts as zero.
+/// Moves each contact to the mode its forces and velocities (-rest) ask for; how many moved. `noise`
+/// is the share of the largest force and velocity that counts as zero.
 int revise_modes(const ContactForm& form,
-                 const ContactPoint& point,
+                 const std::vector<Pair>& l,
+                 const std::vector<Pair>& rest,
                  double noise,
                  std::vector<ContactMode>& modes);
 

@@ -12,7 +12,7 @@ ModePathOutcome ModePath::run(ContactForm& form,
                               const std::vector<Pair>& centre,
                               std::uint64_t seed,
                               const ModePathEffort& effort) {
-  constexpr double margin = 1e-3;
+  const double margin = effort.margin;
   Dice dice(seed);
   delta_ = effort.delta;
   centre_ = centre;

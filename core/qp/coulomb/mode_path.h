@@ -22,6 +22,8 @@ struct ModePathEffort {
   double delta = 1e-8;
   Pivoting pivoting = Pivoting::none;
   int most_crossings = 1000;
+  double margin =
+      1e-3;  ///< by which the point is moved into its cones, a share of the largest force
 };
 
 struct ModePathOutcome {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 
 namespace wuerfel {
 namespace {
@@ -191,15 +192,32 @@ void set_referee_options(Ipopt::OptionsList& options) {
 constexpr double usual_start = 0.1;
 constexpr double far_start = 1e3;
 
+/// Held while anything of Ipopt works: MUMPS keeps things of its own between calls, for all threads
+/// together.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 class Session final : public IpoptSession {
  public:
+  Session() = default;
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session() override {
+    const std::lock_guard lock(one_at_a_time());
+    application_ = nullptr;
+  }
+
   bool start() {
+    const std::lock_guard lock(one_at_a_time());
     application_ = IpoptApplicationFactory();
     set_referee_options(*application_->Options());
     return application_->Initialize("") == Ipopt::Solve_Succeeded;
   }
 
   bool solve(const IpoptProgram& program, IpoptBarrier barrier, IpoptPoint& point) override {
+    const std::lock_guard lock(one_at_a_time());
     const bool adaptive = barrier == IpoptBarrier::adaptive;
     application_->Options()->SetStringValue("mu_strategy", adaptive ? "adaptive" : "monotone");
     application_->Options()->SetNumericValue(

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/time/bookkeeping.h"
 #include "core/time/events/contact_modes.h"
 
 namespace wuerfel {

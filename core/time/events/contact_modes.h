@@ -5,7 +5,7 @@
 
 #include "core/model/scales.h"
 #include "core/time/events/event_function.h"
-#include "core/time/events/workspace.h"
+#include "core/time/workspace.h"
 
 namespace wuerfel {
 

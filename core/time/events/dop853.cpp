@@ -185,6 +185,18 @@ double sum(std::span<const Term> terms, const Stages& k, std::size_t i) {
   return total;
 }
 
+/// Sums of a few components that follow one another, side by side in registers.
+constexpr int width = 6;
+std::array<double, width> sums(std::span<const Term> terms, const Stages& k, std::size_t first) {
+  std::array<double, width> total{};
+  for (const Term& term : terms) {
+    const double* stage = k[term.stage].data() + first;
+    for (int c = 0; c < width; ++c)
+      total[c] += term.factor * stage[c];
+  }
+  return total;
+}
+
 /// result := y + h sum of terms
 void combine(std::span<const Term> terms,
              const Stages& k,
@@ -192,7 +204,13 @@ void combine(std::span<const Term> terms,
              double h,
              std::vector<double>& result) {
   result.resize(y.size());
-  for (std::size_t i = 0; i < y.size(); ++i)
+  std::size_t i = 0;
+  for (; i + width <= y.size(); i += width) {
+    const std::array<double, width> total = sums(terms, k, i);
+    for (int c = 0; c < width; ++c)
+      result[i + c] = y[i + c] + h * total[c];
+  }
+  for (; i < y.size(); ++i)
     result[i] = y[i] + h * sum(terms, k, i);
 }
 

@@ -107,6 +107,12 @@ bool EventMotion::at_rest() const {
   return std::ranges::all_of(modes_.resting, [](char r) { return r != 0; });
 }
 
+double EventMotion::overlap() {
+  std::vector<Contact> overlapping;
+  work_.finder.find(*system_, state(), overlapping, 0.0);
+  return work_.finder.deepest().depth / work_.finder.deepest().scale;
+}
+
 // The heart of the default motion: a smooth phase is stepped; where an event ends it, the step is
 // cut there, the event happens, and another phase begins.
 void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
@@ -154,7 +160,8 @@ void EventMotion::begin_phase(const State& state,
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
-  book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push);
+  book.settled += now.settled;
+  book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
   // closed then, some 1e-10 of a side, may lift cubes as well.
   const double loss = energy_before - energy(*system_, phase_.state());
@@ -236,8 +243,8 @@ State EventMotion::look(const MotionPiece& piece, double t) {
   look_at(piece.motion, (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty()) {
     looker_.close(piece.closed, {}, piece.touches);
-    looker_.project_positions(state);
-    looker_.project_velocities(state);
+    project_places(looker_, state);
+    project_velocities(looker_, state);
   }
   return state;
 }

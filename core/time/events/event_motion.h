@@ -35,6 +35,8 @@ class EventMotion {
   [[nodiscard]] const State& state() const { return phase_.state(); }
   /// State of a smooth piece at time t, on its constraints.
   [[nodiscard]] State look(const MotionPiece& piece, double t);
+  /// Deepest overlap at the clock, as a share of the smaller side of the pair.
+  [[nodiscard]] double overlap();
   /// Certified rest, per cube, at the clock.
   [[nodiscard]] const std::vector<char>& resting() const { return modes_.resting; }
   [[nodiscard]] bool at_rest() const;

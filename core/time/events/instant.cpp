@@ -32,15 +32,12 @@ void separate(double touching,
               std::vector<Island>& islands,
               Instant& now,
               Workspace& work) {
-  const auto [moves, pushed] =
-      out_of_overlap(now.state, islands, now.modes.resting, touching, work);
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    now.state[i].position += moves[i].linear;
-    now.state[i].angle += moves[i].angular;
-  }
-  if (pushed) {
+  OutOfOverlap apart = out_of_overlap(now.state, islands, now.modes.resting, touching, work);
+  if (!apart.moved) return;
+  now.state = std::move(apart.state);
+  if (apart.pushed) {
     find_touching(now.state, touching, work, contacts, islands);
-  } else if (!moves.empty()) {
+  } else {
     for (Island& island : islands)
       follow(*work.system, now.state, island);
   }
@@ -71,22 +68,29 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
       {t, EventKind::rest, system.body(cube).name, system.body(other).name, touching->point, 0.0});
 }
 
+/// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
+void settle(const System& system, const Island& island, const State& before, Instant& now) {
+  const bool fixed = std::ranges::any_of(island.contacts, [&](const Contact& c) {
+    return !system.is_cube(c.on) || !system.is_cube(c.from);
+  });
+  if (fixed) now.settled += unexplained(system, before, now.state, 0.0, {});
+}
+
 /// Makes an island rest. That it does is an event where none of its cubes did before.
 void stop(const System& system, const Island& island, double t, bool is_event, Instant& now) {
+  const State before = now.state;
   for (const int cube : island.cubes) {
     now.state[cube].velocity.setZero();
     now.state[cube].spin = 0.0;
     now.modes.resting[cube] = 1;
     if (is_event) add_rest(system, island, cube, t, now);
   }
+  settle(system, island, before, now);
 }
 
 /// Puts the closed contacts of an island into the modes.
 void close(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
   now.modes.wedged = now.modes.wedged || modes.wedged;
-  const OntoClosed change = onto_closed(island, now.state, modes.closed, work);
-  if (!change.displacements.empty()) displace(island, change.displacements, now.state);
-  if (!change.velocities.empty()) set_velocities(island, change.velocities, now.state);
   std::vector<Box> boxes;
   pose_boxes(*work.system, now.state, boxes);
   ContactSet& closed = now.modes.closed;
@@ -99,6 +103,13 @@ void close(const Island& island, const IslandModes& modes, Instant& now, Workspa
     touch.slips = modes.sides[k].slips;
     touch.anchor = place_along(*work.system, closed.contacts[touch.first]);
   }
+}
+
+/// Whether everything that touches stays closed and sticks, as after the last blow of a rocking block: openings of less
+/// than the slowest bounces are all that moves then, and closed at once.
+bool holds_still(const IslandModes& modes) {
+  return !modes.sides.empty() && std::ranges::all_of(modes.closed, [](char c) { return c != 0; })
+         && std::ranges::all_of(modes.sides, [](const SideMode& s) { return s.sticks; });
 }
 
 void happen_to(const Island& island,
@@ -133,7 +144,15 @@ void happen_to(const Island& island,
       add_impacts(system, island, hit, t, EventKind::jam, now);
       modes = find_modes(island, now.state, scales, true, work);
     }
-    close(island, modes, now, work);
+    const State before = now.state;
+    onto_closed(island, modes.closed, now.state, work);
+    settle(system, island, before, now);
+    const ContactLimits after_last{limits.touching, slowest_bounce};
+    if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
+      stop(system, island, t, !rested && t > 0.0, now);
+    } else {
+      close(island, modes, now, work);
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/time/bookkeeping.h"
 #include "core/time/events/contact_modes.h"
 
 namespace wuerfel {
@@ -13,6 +14,7 @@ struct Instant {
   std::vector<Event> events;
   ContactFinder::Overlap deepest;  ///< that there was
   Push push;                       ///< by fixed bodies, of its impacts
+  Push settled;                    ///< by them, where velocities were put on what stays closed
   long skipped_rest = 0;           ///< islands in certified rest
   long skipped_free = 0;           ///< cubes that touch nothing
 };

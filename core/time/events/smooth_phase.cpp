@@ -72,8 +72,8 @@ void EquationsOfMotion::operator()(const std::vector<double>& y, std::vector<dou
 }
 
 void EquationsOfMotion::project(State& state) {
-  contacts_.project_positions(state);
-  contacts_.project_velocities(state);
+  project_places(contacts_, state);
+  project_velocities(contacts_, state);
 }
 
 void EquationsOfMotion::find_loads(std::vector<double>& loads) const {

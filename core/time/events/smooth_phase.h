@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "core/dynamics/closed_contacts.h"
+#include "core/dynamics/projection.h"
 #include "core/model/scales.h"
 #include "core/time/events/event_function.h"
 #include "core/time/events/motion_piece.h"

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/momentum_balance.h"
 #include "core/model/points.h"
+#include "core/time/policy.h"
 
 namespace wuerfel {
 namespace {
@@ -19,7 +20,8 @@ void euler_step(T& p, T& v, const T& a, double dt, bool as_printed) {
 
 Algorithm1::Algorithm1(const System& system, const MotionSettings& settings)
     : system_(&system),
-      settings_(settings),
+      formulation_(settings.formulation),
+      as_printed_(policy_of(settings).as_printed),
       restrictions_(system, settings),
       correction_(system, settings) {}
 
@@ -35,21 +37,19 @@ void Algorithm1::step(GridPoint& point, double dt, Bookkeeping& book) {
   // v_{i+1} := v_i + a_i dt,  p_{i+1} := p_i + v_i dt
   integrate(point, dt);
   // Eventuell Längenkorrektur
-  correction_.correct_positions(point.state, pressed, book);
-  correction_.correct_velocities(point.state, pressed, book);
+  correction_.correct(point.state, pressed, book);
   point.t += dt;
   restrictions_.find(point, book);
 }
 
 void Algorithm1::integrate(GridPoint& point, double dt) const {
-  const bool as_printed = settings_.integrator == Integrator::euler;
   for (std::size_t i = 0; i < point.state.size(); ++i) {
     if (point.resting[i] != 0) continue;
     BodyState& s = point.state[i];
     const Twist& a = point.accelerations[i];
-    if (settings_.formulation == Formulation::rigid) {
-      euler_step(s.position, s.velocity, a.linear, dt, as_printed);
-      euler_step(s.angle, s.spin, a.angular, dt, as_printed);
+    if (formulation_ == Formulation::rigid) {
+      euler_step(s.position, s.velocity, a.linear, dt, as_printed_);
+      euler_step(s.angle, s.spin, a.angular, dt, as_printed_);
       continue;
     }
     // To the letter: every point moves by itself, and the rods are put right afterwards.
@@ -58,7 +58,7 @@ void Algorithm1::integrate(GridPoint& point, double dt) const {
     for (std::size_t k = 0; k < points.p.size(); ++k) {
       const Vec2 r = points.p[k] - s.position;
       const Vec2 a_k = a.linear + a.angular * perp(r) - s.spin * s.spin * r;
-      euler_step(points.p[k], points.v[k], a_k, dt, as_printed);
+      euler_step(points.p[k], points.v[k], a_k, dt, as_printed_);
     }
     s = nearest_cube(points, body.size, body.mass, s);
   }

@@ -19,7 +19,8 @@ class Algorithm1 {
   void integrate(GridPoint& point, double dt) const;
 
   const System* system_;
-  MotionSettings settings_;
+  Formulation formulation_;
+  bool as_printed_;  ///< places move by the old velocities
   ActiveRestrictions restrictions_;
   LengthCorrection correction_;
 };

@@ -4,6 +4,7 @@
 
 #include "core/constraints/rod.h"
 #include "core/model/points.h"
+#include "core/time/policy.h"
 
 namespace wuerfel {
 namespace {
@@ -57,7 +58,8 @@ void FixedStepMotion::restart() {
 }
 
 FixedStepMotion::Method FixedStepMotion::make_method() const {
-  if (settings_.integrator == Integrator::moreau) return Moreau(*system_, settings_);
+  if (policy_of(settings_).method == MotionPolicy::Method::moreau)
+    return Moreau(*system_, settings_);
   return Algorithm1(*system_, settings_);
 }
 

@@ -43,7 +43,7 @@ class FixedStepMotion final : public Motion {
   Scales scales_;
   MomentumScale momentum_;  ///< the largest up to now
   StateHash hash_;          ///< of the grid points
-  State between_;  ///< at `time_`, where that is no grid time; empty until it is asked for
+  State between_;           ///< at `time_`, where that is no grid time; empty until it is asked for
   Bookkeeping book_;
   long whole_steps_ = 0;
   long work_ = 0;      ///< steps times cubes since the last restart

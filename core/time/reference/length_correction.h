@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/dynamics/gauss.h"
+#include "core/dynamics/projection.h"
 #include "core/time/bookkeeping.h"
 
 namespace wuerfel {
@@ -13,16 +13,13 @@ class LengthCorrection {
  public:
   LengthCorrection(const System& system, const MotionSettings& settings);
 
-  /// Moves the cubes by the least that removes overlap and keeps the contacts in `closed` closed.
-  void correct_positions(State& state, std::vector<Contact> closed, Bookkeeping& book);
-  /// Changes velocities by the least that makes the gap rates of the contacts in `pressed` zero.
-  void correct_velocities(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
+  /// Moves the cubes by the least that removes overlap and keeps the contacts in `pressed` closed;
+  /// then changes velocities by the least that makes the gap rates of these zero.
+  void correct(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
 
  private:
-  bool correct_island(const Island& island,
-                      State& state,
-                      std::vector<Contact>& closed,
-                      Bookkeeping& book);
+  Projection place(State state, std::vector<Contact> closed);
+  std::vector<Restricted> restricted(const State& state, std::vector<Contact>& closed);
 
   const System* system_;
   IslandDynamics dynamics_;

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/time/policy.h"
+
 namespace wuerfel {
 namespace {
 
-/// Steps of second order have the root of the tolerance as their local error; in crowds, which
-/// forget where they come from within a few impacts, so many times that.
-constexpr double crowd_error = 20.0;
-/// They are halved where the error is more, where energy rises by more than this share of what the
+/// Steps are halved where the error is more, where energy rises by more than this share of what the
 /// group has in motion, or where overlap is left, but not below a sixteenth; what still overlaps
 /// then stops short.
 constexpr double rise_share = 1e-4;
@@ -25,11 +24,8 @@ constexpr double same_time = 1e-7;
 
 ControlledStepping::ControlledStepping(const System& system, const MotionSettings& settings)
     : system_(&system),
-      stepper_(system,
-               settings,
-               settings.integrator == Integrator::rattle ? std::sqrt(settings.tolerance) : 0.0),
-      allowed_error_(std::sqrt(settings.tolerance)
-                     * (settings.integrator == Integrator::rattle ? 1.0 : crowd_error)) {}
+      stepper_(system, settings, policy_of(settings).sway),
+      allowed_error_(policy_of(settings).allowed_error) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);

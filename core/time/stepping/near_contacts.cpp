@@ -43,23 +43,21 @@ void NearContacts::find(const State& end,
   contacts.clear();
   bounds_.clear();
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
-    const auto at = static_cast<std::size_t>(i);
     const auto extent = [&](const Box& box) {
       return Vec2(box.extent() + Vec2::Constant(reach * box.smaller_side()));
     };
-    const Box& a = start_[at];
-    const Box& b = end_[at];
+    const Box& a = start_[i];
+    const Box& b = end_[i];
     bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
                        (a.center + extent(a)).cwiseMax(b.center + extent(b))});
   }
   const double fall = gravity_ * step_ * step_;
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    if (!system_->is_cube(pair.first)) continue;
-    const auto i = static_cast<std::size_t>(pair.first);
-    const auto j = static_cast<std::size_t>(pair.second);
+    const auto [i, j] = pair;
+    if (!system_->is_cube(i)) continue;
     const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
-    const FacingSide side = separating_side(*system_, {start_, drift_, end_}, slow_share * fall,
-                                            pair.first, pair.second);
+    const FacingSide side =
+        separating_side(*system_, {start_, drift_, end_}, slow_share * fall, i, j);
     if (side.separation >= reach * scale) continue;
     // Sides that may become flush within the step: a second corner on sides that are not gives a
     // false impulse when a corner passes the end of an edge.
@@ -86,14 +84,13 @@ void NearContacts::add_corners(int cube,
                                double reach,
                                const std::vector<Box>& measured,
                                std::vector<Contact>& contacts) const {
-  const auto at = static_cast<std::size_t>(cube);
   const Body& solid = system_->body(plane);
-  const double near = reach * start_[at].smaller_side();
+  const double near = reach * start_[cube].smaller_side();
   for (int k = 0; k < 4; ++k) {
     const auto gap = [&](const Box& box) {
       return solid.normal.dot((box.center - solid.point) + box.arm[k]);
     };
-    if (gap(start_[at]) >= near && gap(end_[at]) >= near) continue;
+    if (gap(start_[cube]) >= near && gap(end_[cube]) >= near) continue;
     Contact c;
     c.on = cube;
     c.from = plane;

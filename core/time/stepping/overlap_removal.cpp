@@ -26,14 +26,7 @@ constexpr double displaced_share = 1e-2;
 constexpr double displaced_times = 100.0;
 constexpr int most_halvings = 50;
 
-/// A step is as exact as its length allows, not as its programs are. Steps of Newton's method only
-/// have to get out of the overlap.
-constexpr ProgramTolerances tolerances{.correction = 1e-3, .placement = 1e-5};
-
 }  // namespace
-
-OverlapRemoval::OverlapRemoval(const System& system, const MotionSettings& settings)
-    : system_(&system), dynamics_(system, settings, tolerances), near_(system) {}
 
 void OverlapRemoval::begin(const State& start, double h) {
   scales_ = scales_of(*system_, start);
@@ -50,9 +43,9 @@ double OverlapRemoval::margin(const Contact& c, double overlap) const {
                   std::min(margin_of_square * overlap * overlap * scale, square_of_fall * fall));
 }
 
-/// Per contact: what moves is what overlaps, the lighter the farther, and turns by as much.
-std::vector<double> OverlapRemoval::margins_of(const Island& island) const {
-  std::vector<double> moves(static_cast<std::size_t>(system_->count()), 0.0);
+/// Margins, per contact: what moves is what overlaps, the lighter the farther, and turns by as much.
+Restricted OverlapRemoval::apart(Island island) const {
+  std::vector<double> moves(system_->count(), 0.0);
   const auto ease = [&](int body) {
     return system_->is_cube(body) ? 1.0 / system_->body(body).mass : 0.0;
   };
@@ -61,66 +54,45 @@ std::vector<double> OverlapRemoval::margins_of(const Island& island) const {
     for (const int body : {c.on, c.from})
       moves[body] = std::max(moves[body], overlap * ease(body) / (ease(c.on) + ease(c.from)));
   }
-  std::vector<double> margins;
-  for (const Contact& c : island.contacts)
-    margins.push_back(margin(c, moves[c.on] + moves[c.from]));
-  return margins;
-}
-
-Island OverlapRemoval::with_margins(Island island) const {
-  const std::vector<double> margins = margins_of(island);
-  for (std::size_t k = 0; k < margins.size(); ++k)
-    island.contacts[k].gap -= margins[k];
-  return island;
-}
-
-IslandSolution OverlapRemoval::apart(Island island,
-                                     const State& state,
-                                     std::span<const Twist> targets,
-                                     Bookkeeping& book) {
-  use_.assign(island.contacts.size(), SideUse::inequality);
-  const std::vector<double> margins = margins_of(island);
-  for (std::size_t k = 0; k < margins.size(); ++k)
-    island.contacts[k].gap -= margins[k];
-  IslandSolution solution = dynamics_.correction(state, island, use_, targets);
-  ++book.cost.qp_solves;
-  if (solution.status == QpStatus::optimal) return solution;
-  // No room for the margin, perhaps: cubes that fit exactly between others.
-  for (std::size_t k = 0; k < margins.size(); ++k)
-    island.contacts[k].gap += margins[k];
-  ++book.cost.qp_solves;
-  return dynamics_.correction(state, island, use_, targets);
+  Restricted part{std::move(island), {}};
+  part.use.assign(part.island.contacts.size(), SideUse::inequality);
+  for (const Contact& c : part.island.contacts)
+    part.margins.push_back(margin(c, moves[c.on] + moves[c.from]));
+  return part;
 }
 
 double OverlapRemoval::measure(const State& state) {
-  finder_.find(*system_, state, overlapping_, 0.0);
-  return finder_.deepest().depth / finder_.deepest().scale;
+  const ContactFinder::Overlap& deepest = work_->finder.deepest();
+  work_->finder.find(*system_, state, overlapping_, 0.0);
+  return deepest.depth / deepest.scale;
 }
 
-void OverlapRemoval::clean_up(State& state, std::vector<Contact>& pushing, Bookkeeping& book) {
-  for (int round = 0; round <= most_rounds; ++round) {
-    left_ = measure(state);
-    if (left_ <= overlap_share || round == most_rounds) return;
-    const double farthest = std::max(displaced_share, displaced_times * left_);
-    const double reach = std::clamp(pushed_times * left_, nearest_share, farthest_share);
-    near_.find_at(state, reach, contacts_);
-    find_islands(*system_, contacts_, islands_);
-    for (const Island& island : islands_) {
-      const bool off = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-        return c.gap < -overlap_share * contact_scale(*system_, c);
-      });
-      if (!off) continue;
-      const IslandSolution solution = apart(island, state, {}, book);
-      if (std::ranges::any_of(solution.twists, [&](const Twist& d) {
-            return d.linear.norm() > farthest * scales_.length;
-          }))
-        return;
-      displace(island, solution.twists, state);
-      for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-        if (solution.forces[k] > 0.0) pushing.push_back(island.contacts[k]);
-      }
-    }
+/// Islands near to what overlaps, by the last measurement.
+std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
+  std::vector<Contact> contacts;
+  std::vector<Island> islands;
+  near_.find_at(state, std::clamp(pushed_times * left_, nearest_share, farthest_share), contacts);
+  find_islands(*system_, contacts, islands);
+  std::vector<Restricted> parts;
+  for (Island& island : islands) {
+    if (!overlaps(*system_, island, overlap_share)) continue;
+    parts.push_back(apart(std::move(island)));
+    parts.back().farthest = std::max(displaced_share, displaced_times * left_) * scales_.length;
   }
+  return parts;
+}
+
+std::vector<Contact> OverlapRemoval::clean_up(State& state, Bookkeeping& book) {
+  const auto find = [&](const Projection& so_far) {
+    left_ = measure(so_far.state);
+    return left_ > overlap_share ? pushed_apart(so_far.state) : std::vector<Restricted>{};
+  };
+  const ProjectionPolicy policy{.overlap = overlap_share, .rounds = most_rounds};
+  Projection clean = project_places(*system_, std::move(state), policy, find, work_->dynamics);
+  keep_cost(clean.solves, book);
+  state = std::move(clean.state);
+  if (clean.rounds == most_rounds) left_ = measure(state);
+  return std::move(clean.pushing);
 }
 
 /// Per cube: whether it overlaps another body, by the last measurement.
@@ -135,21 +107,23 @@ std::vector<char> OverlapRemoval::overlapping_cubes() const {
 }
 
 void OverlapRemoval::retreat(State& state) {
+  std::vector<Contact> contacts;
+  std::vector<Island> islands;
   for (int k = 1; k <= most_halvings; ++k) {
     left_ = measure(state);
     if (left_ <= overlap_share) return;
     const std::vector<char> overlaps = overlapping_cubes();
-    near_.find_at(state, farthest_share, contacts_);
-    find_islands(*system_, contacts_, islands_);
+    near_.find_at(state, farthest_share, contacts);
+    find_islands(*system_, contacts, islands);
     const double share = k < most_halvings ? 0.5 : 0.0;
-    for (const Island& island : islands_) {
+    for (const Island& island : islands) {
       const bool stops =
           std::ranges::any_of(island.cubes, [&](int cube) { return overlaps[cube] != 0; });
       if (!stops) continue;
       for (const int cube : island.cubes) {
-        const auto i = static_cast<std::size_t>(cube);
-        state[i].position = start_[i].position + share * (state[i].position - start_[i].position);
-        state[i].angle = start_[i].angle + share * (state[i].angle - start_[i].angle);
+        BodyState& s = state[cube];
+        s.position = start_[cube].position + share * (s.position - start_[cube].position);
+        s.angle = start_[cube].angle + share * (s.angle - start_[cube].angle);
       }
     }
   }

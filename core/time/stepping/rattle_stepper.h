@@ -6,24 +6,17 @@
 ///   3. velocity program: the velocity nearest to that after the first half that closes no gap.
 ///
 /// Velocities are those at the start changed by gravity and by the impulses of 1 and 3, which act and react: no
-/// momentum changes but by fixed bodies, however exactly the programs are solved. Their work is known contact by
-/// contact: that of contacts that close is lost; what is left over is the sway of the method and is given back.
+/// momentum changes but by fixed bodies, however exactly the programs are solved. What they cost: step_books.h.
 ///
-/// After Andersen, "Rattle: a velocity version of the Shake algorithm", J. Comput. Phys. 52 (1983) 24, and Moreau's
-/// sweeping process for the inequalities [Moreau 1988].
+/// RATTLE [Andersen 1983] with Moreau's sweeping process for the inequalities [Moreau 1988].
 #pragma once
 
-#include <map>
 #include <memory>
 #include <vector>
 
-#include "core/dynamics/closed_contacts.h"
-#include "core/dynamics/friction.h"
-#include "core/dynamics/gauss.h"
-#include "core/model/scales.h"
-#include "core/time/bookkeeping.h"
 #include "core/time/stepping/overlap_removal.h"
 #include "core/time/stepping/step_record.h"
+#include "core/time/stepping/stride.h"
 
 namespace wuerfel {
 
@@ -70,14 +63,6 @@ class RattleStepper {
   void close_gaps(State& state);
 
  private:
-  /// A contact that acts in a step, and its impulses (N s) on the body of the corner, of both halves.
-  struct Blow {
-    Contact start;  ///< as it is at the start of the step
-    Contact end;    ///< where the cubes have come
-    Vec2 first = Vec2::Zero();
-    Vec2 second = Vec2::Zero();
-    [[nodiscard]] bool acts() const { return !first.isZero(0.0) || !second.isZero(0.0); }
-  };
   void place(Step& step);
   void place_island(const Island& island, Step& step);
   void bend(const Island& island,
@@ -87,49 +72,27 @@ class RattleStepper {
   IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Step& step);
   void fly_half(const Island& island, const IslandSolution& solution, State& state);
   void note_pressed(const Island& island, const IslandSolution& solution);
+  void add_blows(const std::vector<Contact>& contacts);
   void arrive(Step& step, double t);
   [[nodiscard]] Push pushed() const;
+  static void settle(const Push& change, const StepRecord& record, Bookkeeping& book);
   void find_touching(Step& step);
   void strike_anew(Step& step);
   void hit(Step& step);
-  void find_components(StepRecord& record);
-  /// Along the normal, and along the side.
-  struct Work {
-    double normal = 0.0;  ///< J
-    double side = 0.0;    ///< J
-  };
-  [[nodiscard]] Work work(const Blow& blow, const State& end) const;
-  [[nodiscard]] double closing_speed(const Contact& contact) const;
-  [[nodiscard]] bool lasts(const Blow& blow) const;
-  [[nodiscard]] double struck_at(const Blow& blow) const;
-  [[nodiscard]] StepImpulse impulse_of(const Blow& blow,
-                                       const State& end,
-                                       double from,
-                                       double to) const;
-  void book_blows(Step& step, StepRecord& record, double t) const;
-  void settle_energy(StepRecord& record, Step& step, double t) const;
-  [[nodiscard]] double surplus_of(const StepRecord& record, const Step& step) const;
+  [[nodiscard]] double surplus_of(const StepRecord& record, const State& end) const;
   [[nodiscard]] double error_of(const State& state) const;
-  [[nodiscard]] bool is_near(const Contact& contact, double share) const;
+  [[nodiscard]] std::vector<Contact> acting() const;
 
   const System* system_;
-  IslandDynamics dynamics_;
-  FrictionDynamics friction_;
+  Workspace work_;
   OverlapRemoval removal_;
   ClosedContacts closed_;
-  ContactFinder finder_;
-  Scales scales_;
   double sway_ = 0.0;
   double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
-  double h_ = 0.0;            ///< s, of the step
-  State start_;               ///< of the step
-  State half_;                ///< the start with the velocities between the halves
-  State flown_;               ///< the end before the clean-up
-  State before_;              ///< the end with the velocities before the second impulses
-  std::map<ContactId, Blow> blows_;
+  Stride stride_;
+  State flown_;                    ///< the end before the clean-up
   std::vector<Contact> cleaned_;   ///< contacts of the clean-up
-  std::vector<Contact> contacts_;  ///< scratch
-  std::vector<Island> islands_;    ///< scratch
+  std::vector<Contact> contacts_;  ///< what touches at the end of the way
 };
 
 }  // namespace wuerfel

@@ -59,7 +59,7 @@ MotionSettings without_memory(MotionSettings settings) {
 }  // namespace
 
 StepLook::StepLook(const System& system, const MotionSettings& settings)
-    : system_(&system), removal_(system, without_memory(settings)) {}
+    : system_(&system), work_(system, without_memory(settings), step_tolerances), removal_(work_) {}
 
 State StepLook::between(const State& from, const State& to, double h, double share) const {
   const double rough = rough_steps * scales_of(*system_, from).gravity * h;
@@ -147,8 +147,7 @@ State StepLook::at(
   const State uncleaned = state;
   removal_.begin(from, h);
   Bookkeeping aside;
-  std::vector<Contact> cleaned;
-  removal_.clean_up(state, cleaned, aside);
+  const std::vector<Contact> cleaned = removal_.clean_up(state, aside);
   if (removal_.left() > overlap_share) removal_.retreat(state);
   keep_turning(*system_, cleaned, uncleaned, state);
   for (const StepComponent& part : record.components)

@@ -31,6 +31,7 @@ class StepLook {
                      State& state) const;
 
   const System* system_;
+  Workspace work_;
   OverlapRemoval removal_;
 };
 

@@ -56,7 +56,7 @@ TEST_P(Zoo, IsSolvedByBothMethodsAlike) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Hundreds, Zoo, testing::Range(0, 10));
+INSTANTIATE_TEST_SUITE_P(Hundreds, Zoo, testing::Range(0, 10), testing::PrintToStringParamName());
 
 TEST(Zoo, IsSolvedByNewtonAloneUnlessJammedMassesDiffer) {
   const auto newton = make_qp_solver(QpMethod::newton);
@@ -112,7 +112,7 @@ TEST_P(JammedWall, IsSolvedByBothMethodsAlike) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, JammedWall, testing::Range(1, 6));
+INSTANTIATE_TEST_SUITE_P(Seeds, JammedWall, testing::Range(1, 6), testing::PrintToStringParamName());
 
 TEST(ShippedScenes, InMotionAreSolvedByBothMethodsAlike) {
   const std::vector<ZooProgram> programs = test::motion_programs();

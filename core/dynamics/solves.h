@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/dynamics/gauss.h"
-#include "core/time/bookkeeping.h"
 
 namespace wuerfel {
 
 struct Solves {
   long solved = 0;
   long skipped = 0;                ///< former answers that still passed
+  long iterations = 0;             ///< of the solvers
   long missed = 0;                 ///< whose residual missed the tolerance
   long infeasible = 0;             ///< that have no solution, which is an answer
   double residual = 0.0;           ///< the worst
@@ -18,9 +18,10 @@ struct Solves {
 
   /// A program whose answer is used as it is.
   void add(const IslandSolution& solution);
+  /// One whose answer is not used, or is judged by what it leads to: what it cost.
+  void count(const IslandSolution& solution);
+  /// What others cost.
+  void count(const Solves& others);
 };
-
-/// Adds solves to a book.
-void keep_book(const Solves& solves, Bookkeeping& book);
 
 }  // namespace wuerfel

@@ -1,0 +1,123 @@
+#include "app/commands/statics_options.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/argument.h"
+#include "app/cli/exit_code.h"
+#include "app/output/statics.h"
+#include "core/scene/suggestion.h"
+
+namespace wuerfel {
+
+namespace {
+
+/// Of more cubes margins take too long to be asked for by the way.
+constexpr int most_cubes = 200;
+
+struct MarginName {
+  const char* name;
+  bool MarginRequest::*asked;
+};
+constexpr std::array margin_names{
+    MarginName{"tilt", &MarginRequest::tilt}, MarginName{"load", &MarginRequest::load},
+    MarginName{"shift", &MarginRequest::shift}, MarginName{"move", &MarginRequest::move}};
+
+const MarginName* find_margin(const std::string& name) {
+  const auto* found = std::ranges::find(margin_names, name, &MarginName::name);
+  return found == margin_names.end() ? nullptr : found;
+}
+
+bool names_margins(const std::string& text) {
+  const std::vector<std::string> parts = split_list(text);
+  return std::ranges::any_of(parts,
+                             [](const std::string& part) { return find_margin(part) != nullptr; });
+}
+
+MarginRequest parse_margins(const std::string& text) {
+  if (text == "all") return {};
+  MarginRequest request{false, false, false, false, {}};
+  for (const std::string& part : split_list(text)) {
+    const MarginName* margin = find_margin(part);
+    if (margin == nullptr) {
+      constexpr std::array<std::string_view, 4> known{"tilt", "load", "shift", "move"};
+      throw UsageError(
+          fmt::format("--margin: '{}' is unknown{}", part,
+                      suggestion(part, known)));
+    }
+    request.*(margin->asked) = true;
+  }
+  return request;
+}
+
+std::vector<int> cubes_named(const Scene& scene, const std::vector<std::string>& names) {
+  std::vector<std::string_view> known;
+  for (const SceneCube& cube : scene.cubes)
+    known.emplace_back(cube.name);
+  std::vector<int> cubes;
+  for (const std::string& name : names) {
+    const auto at = std::ranges::find(known, name);
+    if (at == known.end())
+      throw UsageError(
+          fmt::format("--bodies: there is no cube '{}'{}", name, suggestion(name, known)));
+    cubes.push_back(static_cast<int>(at - known.begin()));
+  }
+  return cubes;
+}
+
+}  // namespace
+
+void add_statics_options(Options& options, StaticsRequest& request) {
+  options.optional_value(
+      "--margin", "tilt,load,shift,move",
+      "how nearly it stands or falls: angles, loads, shifts of weights, moves of cubes [all]",
+      names_margins, [&request](const std::string& text) { request.margin = parse_margins(text); });
+  options.flag("--ranges", "which forces are possible, of contacts and of faces", request.ranges);
+  options.single("--bodies", "A,B,..", "margins and ranges of these cubes only",
+                 [&request](const std::string& text) { request.bodies = split_list(text); });
+}
+
+StaticsAnswer::StaticsAnswer(const Scene& scene,
+                             const MotionSettings& settings,
+                             const StaticsRequest& request,
+                             Verdict verdict,
+                             Notes& notes) {
+  const std::vector<int> cubes = cubes_named(scene, request.bodies);
+  if (!request.any()) {
+    if (!cubes.empty()) notes.add("--bodies does nothing without --margin or --ranges");
+    return;
+  }
+  if (verdict == Verdict::moves) {
+    notes.add("--margin and --ranges are of scenes in which nothing moves yet: this one moves");
+    return;
+  }
+  still_ = still_scene(scene, settings);
+  if (request.margin) {
+    request_ = *request.margin;
+    request_.cubes = cubes;
+    if (cubes.empty() && still_->system.cubes > most_cubes) {
+      notes.add(fmt::format("margins of {} cubes one by one: name some of them with --bodies",
+                            still_->system.cubes));
+      request_ = {request_.tilt, false, false, false, {}};
+    }
+    margins_ = find_margins(*still_, settings, request_);
+  }
+  if (request.ranges) ranges_ = find_ranges(*still_, {cubes});
+}
+
+void StaticsAnswer::add_to(nlohmann::ordered_json& json) const {
+  if (margins_) add_margins(*still_, *margins_, request_, json);
+  if (ranges_) add_ranges(*still_, *ranges_, json);
+}
+
+std::string StaticsAnswer::text() const {
+  std::string text;
+  if (margins_) text += margins_text(*still_, *margins_, request_);
+  if (ranges_) text += ranges_text(*still_, *ranges_);
+  return text;
+}
+
+}  // namespace wuerfel

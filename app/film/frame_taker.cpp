@@ -1,0 +1,132 @@
+#include "app/film/frame_taker.h"
+
+#include <algorithm>
+#include <span>
+
+namespace wuerfel {
+
+namespace {
+
+/// Bodies are numbered as in SnapshotJoint::other.
+std::map<std::string, int> numbers_of(const Snapshot& snapshot) {
+  std::map<std::string, int> numbers;
+  for (const SnapshotBox& box : snapshot.boxes)
+    numbers.emplace(box.name, static_cast<int>(numbers.size()));
+  for (const SnapshotPlane& plane : snapshot.planes)
+    numbers.emplace(plane.name, static_cast<int>(numbers.size()));
+  return numbers;
+}
+
+/// Sums of joints, one for each pair of bodies; geometry is that of the latest look.
+class JointSum {
+ public:
+  void add(std::span<const SnapshotJoint> joints, double share) {
+    for (SnapshotJoint joint : joints) {
+      joint.force *= share;
+      const auto [entry, is_new] =
+          number_.emplace(std::minmax(joint.body, joint.other), sum_.size());
+      if (is_new) {
+        sum_.push_back(joint);
+      } else {
+        merge(joint, sum_[entry->second]);
+      }
+    }
+  }
+
+  /// An impulse over the time of the average, along the normal of the joint that it came through;
+  /// where the bodies had no other contact there is a mark and no arrow.
+  void add_impulse(int on, int from, double force) {
+    const auto found = number_.find(std::minmax(on, from));
+    if (found == number_.end()) return;
+    SnapshotJoint& joint = sum_[found->second];
+    joint.force += force * joint.normal;
+  }
+
+  [[nodiscard]] const std::vector<SnapshotJoint>& joints() const { return sum_; }
+
+ private:
+  static void merge(const SnapshotJoint& more, SnapshotJoint& sum) {
+    const double before = sum.force.norm();
+    const double added = more.force.norm();
+    const Vec2 force =
+        more.body == sum.body ? Vec2(sum.force + more.force) : Vec2(more.force - sum.force);
+    const Vec2 point = before + added > 0.0
+                           ? Vec2((before * sum.point + added * more.point) / (before + added))
+                           : more.point;
+    const bool unique = sum.unique && more.unique;
+    sum = more;
+    sum.force = force;
+    sum.point = point;
+    sum.unique = unique;
+  }
+
+  std::map<std::pair<int, int>, std::size_t> number_;
+  std::vector<SnapshotJoint> sum_;
+};
+
+}  // namespace
+
+std::vector<Instant> with_looks(std::vector<Instant> instants, double average) {
+  if (!(average > 0.0)) return instants;
+  std::vector<Instant> looks;
+  for (const Instant& instant : instants) {
+    for (int k = 1; instant.frame && k < looks_per_average; ++k) {
+      const double t = instant.t - average * k / looks_per_average;
+      if (t > 0.0) looks.push_back({.t = t, .look = true});
+    }
+  }
+  return merged(std::move(instants), looks);
+}
+
+/// Up to time t.
+void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
+  for (; seen_ < events.size() && events[seen_].t <= t; ++seen_)
+    if (events[seen_].impulse > 0.0) impacts_.push_back(events[seen_]);
+  const double oldest = t - std::max(back_.average, back_.impacts);
+  while (!impacts_.empty() && impacts_.front().t < oldest)
+    impacts_.pop_front();
+}
+
+std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const {
+  if (looks_.size() < 2) return snapshot.joints;
+  JointSum sum;
+  for (const auto& [t, joints] : looks_)
+    sum.add(joints, 1.0 / static_cast<double>(looks_.size()));
+  const std::map<std::string, int> number =
+      impacts_.empty() ? std::map<std::string, int>{} : numbers_of(snapshot);
+  for (const Event& impact : impacts_) {
+    if (impact.t <= snapshot.time - back_.average) continue;
+    sum.add_impulse(number.at(impact.on), number.at(impact.from), impact.impulse / back_.average);
+  }
+  return sum.joints();
+}
+
+std::vector<SnapshotImpact> FrameTaker::marks(double t) const {
+  std::vector<SnapshotImpact> marks;
+  for (const Event& impact : impacts_)
+    if (impact.t > t - back_.impacts)
+      marks.push_back({impact.point, impact.impulse, (t - impact.t) / back_.impacts});
+  return marks;
+}
+
+std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
+                                         const Moment& moment,
+                                         const Instant& instant) {
+  notice_impacts(simulation.events(), moment.t);
+  while (!looks_.empty() && looks_.front().first <= instant.t - back_.average * (1.0 - 1e-9))
+    looks_.pop_front();
+  if (!instant.frame) {
+    if (instant.look && request_.joints)
+      looks_.emplace_back(instant.t, simulation.snapshot(moment, {.joints = true}).joints);
+    return std::nullopt;
+  }
+  Snapshot snapshot = simulation.snapshot(moment, request_);
+  if (request_.joints && back_.average > 0.0) {
+    looks_.emplace_back(instant.t, snapshot.joints);
+    snapshot.joints = averaged(snapshot);
+  }
+  if (back_.impacts > 0.0) snapshot.impacts = marks(instant.t);
+  return snapshot;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,55 @@
+/// Snapshots for pictures: forces averaged over the time before them, and impacts of a moment ago. A
+/// force that lasts less than a frame is as short as it is in the film, and an impact between two
+/// frames is seen.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/film/timetable.h"
+#include "core/snapshot.h"
+#include "core/time/simulation.h"
+
+namespace wuerfel {
+
+/// How far a picture looks back.
+struct LookBack {
+  double average = 0.0;  ///< s, over which forces are averaged, impulses included; 0: not at all
+  double impacts = 0.0;  ///< s, for which impacts leave a mark; 0: none
+};
+
+/// How many looks an average takes, the last at the frame itself.
+constexpr int looks_per_average = 4;
+
+/// The instants and, before each frame, those at which its forces are looked at.
+std::vector<Instant> with_looks(std::vector<Instant> instants, double average);
+
+class FrameTaker {
+ public:
+  FrameTaker(const SnapshotRequest& request, const LookBack& back)
+      : request_(request), back_(back) {}
+
+  /// What a motion shows at one of its instants, and at that moment; nothing where there is no frame.
+  std::optional<Snapshot> take(const Simulation& simulation,
+                               const Moment& moment,
+                               const Instant& instant);
+
+ private:
+  using Joints = std::vector<SnapshotJoint>;
+
+  void notice_impacts(const std::vector<Event>& events, double t);
+  [[nodiscard]] Joints averaged(const Snapshot& snapshot) const;
+  [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
+
+  SnapshotRequest request_;
+  LookBack back_;
+  std::deque<std::pair<double, Joints>> looks_;  // by their times, the latest last
+  std::deque<Event> impacts_;
+  std::size_t seen_ = 0;  // of the motion's events
+};
+
+}  // namespace wuerfel

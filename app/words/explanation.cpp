@@ -1,0 +1,218 @@
+#include "app/words/explanation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+
+namespace {
+
+/// A cause names its cubes one by one up to so many.
+constexpr std::size_t most_names = 3;
+/// Causes and moving parts that are told; the rest follows from them.
+constexpr std::size_t most_told = 4;
+/// A margin that is none, as a share of the smaller side.
+constexpr double knife_edge = 1e-9;
+
+std::vector<std::string> names_of(const StillScene& still, const std::vector<int>& bodies) {
+  std::vector<std::string> names;
+  for (const int body : bodies)
+    names.push_back(still.system.body(body).name);
+  return names;
+}
+
+std::string part_name(const StillScene& still,
+                      const std::vector<int>& cubes,
+                      int base,
+                      Language language) {
+  if (cubes.size() <= most_names) return list_in(language, names_of(still, cubes));
+  return say_in(
+      language, Phrase::with_many,
+      {{"body", still.system.body(base).name}, {"count", std::to_string(cubes.size() - 1)}});
+}
+
+std::string side_name(int sense, Language language) {
+  return say_in(language, sense < 0 ? Phrase::left : sense > 0 ? Phrase::right : Phrase::down);
+}
+
+/// Up, down, left or right, whichever a direction is nearest to.
+Phrase direction_of(const StillScene& still, const Vec2& v) {
+  const double right = v.dot(right_of(still.down()));
+  const double down = v.dot(still.down());
+  if (std::abs(right) > std::abs(down)) return right > 0.0 ? Phrase::right : Phrase::left;
+  return down > 0.0 ? Phrase::down : Phrase::up;
+}
+
+Phrase corner_of(const StillScene& still, int cube, const Vec2& point) {
+  const Vec2 arm = point - still.state[cube].position;
+  const bool right = arm.dot(right_of(still.down())) > 0.0;
+  if (arm.dot(still.down()) > 0.0) return right ? Phrase::lower_right : Phrase::lower_left;
+  return right ? Phrase::upper_right : Phrase::upper_left;
+}
+
+/// Whether the part is told as several cubes; of many one stands for all.
+bool is_many(const Cause& cause) {
+  return cause.part.cubes.size() > 1 && cause.part.cubes.size() <= most_names;
+}
+
+std::string tip_sentence(const StillScene& still,
+                         const Cause& cause,
+                         const std::string& part,
+                         Language language) {
+  const Contact& c = still.found.islands[cause.island].island.contacts[*cause.part.pivot];
+  const bool own = std::ranges::binary_search(cause.part.cubes, c.on);
+  const bool many = is_many(cause);
+  const Phrase corner = !own ? Phrase::corner_of : many ? Phrase::own_corners : Phrase::own_corner;
+  const std::string on = list_in(language, names_of(still, cause.on));
+  return say_in(language, many ? Phrase::tip : Phrase::tips,
+                {{"part", part},
+                 {"side", side_name(cause.sense, language)},
+                 {"corner", say_in(language, corner, {{"on", on}})},
+                 {"length", length_in(language, *cause.outside)}});
+}
+
+/// The phrase of a part that does not tip, of one cube and of several.
+std::pair<Phrase, Phrase> loss_phrases(const StillScene& still, const Cause& cause) {
+  if (cause.failure == Failure::drops) return {Phrase::drops, Phrase::drop};
+  if (cause.sense == 0) return {Phrase::gives_way, Phrase::give_way};
+  const auto rubs = [&](int k) {
+    const Contact& c = still.found.islands[cause.island].island.contacts[k];
+    return still.system.surface(c.on, c.from).friction > 0.0;
+  };
+  if (std::ranges::any_of(cause.part.presses, rubs)) return {Phrase::rubs_away, Phrase::rub_away};
+  return {Phrase::slides, Phrase::slide};
+}
+
+std::string moving_part_sentence(const StillScene& still,
+                                 const MovingPart& part,
+                                 Language language) {
+  std::string partners;
+  if (!part.opens.empty())
+    partners = say_in(language, Phrase::parts_from,
+                      {{"names", list_in(language, names_of(still, part.opens))}});
+  const Phrase way = part.turn != 0 ? (part.turn > 0 ? Phrase::left : Phrase::right)
+                                    : direction_of(still, part.motion.linear);
+  return say_in(language, part.turn != 0 ? Phrase::turns : Phrase::goes,
+                {{"part", part_name(still, part.cubes, part.cubes.front(), language)},
+                 {"side", say_in(language, way)},
+                 {"partners", partners},
+                 {"share", percent_in(language, part.work_share)}});
+}
+
+void tell_fall(const Explanation& e, Language language, std::vector<std::string>& text) {
+  const StillScene& still = *e.still;
+  for (std::size_t k = 0; k < std::min(most_told, e.causes.causes.size()); ++k)
+    text.push_back(cause_sentence(still, e.causes.causes[k], language));
+  if (!e.causes.mechanism.empty()) text.push_back(say_in(language, Phrase::no_part_alone));
+  for (std::size_t k = 0; k < std::min(most_told, e.causes.mechanism.size()); ++k)
+    text.push_back(moving_part_sentence(still, e.causes.mechanism[k], language));
+  for (const Fix& fix : e.fixes)
+    text.push_back(fix_sentence(still, fix, language));
+  const bool only_drops = std::ranges::all_of(
+      e.causes.causes, [](const Cause& c) { return c.failure == Failure::drops; });
+  if (e.fixes.empty() && !(only_drops && e.causes.mechanism.empty()))
+    text.push_back(say_in(language, Phrase::nothing_found));
+  text.push_back(
+      say_in(language, Phrase::proof, {{"power", power_in(language, e.causes.certificate.power)}}));
+}
+
+void tell_margin(const Explanation& e, Language language, std::vector<std::string>& text) {
+  if (!e.weakest) {
+    text.push_back(say_in(language, Phrase::no_weakest));
+    return;
+  }
+  const bool right = e.weakest->shift.high <= -e.weakest->shift.low;
+  const double most = std::min(e.weakest->shift.high, -e.weakest->shift.low);
+  text.push_back(say_in(language,
+                        e.weakest->share <= knife_edge ? Phrase::knife_edge : Phrase::weakest,
+                        {{"body", e.still->system.body(e.weakest->cube).name},
+                         {"side", side_name(right ? 1 : -1, language)},
+                         {"length", length_in(language, most)}}));
+}
+
+void tell_stand(const Explanation& e, Language language, std::vector<std::string>& text) {
+  const bool needs_friction = e.check.facts && !e.check.facts->stands_without_friction;
+  text.push_back(say_in(language, needs_friction ? Phrase::equilibrium : Phrase::stands));
+  if (e.check.facts && e.check.facts->fall_also_possible)
+    text.push_back(say_in(language, Phrase::fall_also_possible));
+  tell_margin(e, language, text);
+  if (e.tilt) {
+    text.push_back(say_in(language, Phrase::tilt,
+                          {{"to_left", angle_in(language, e.tilt->left)},
+                           {"to_right", angle_in(language, e.tilt->right)}}));
+  }
+}
+
+std::vector<std::string> moving_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const SceneCube& cube : scene.cubes)
+    if (!cube.velocity.isZero(0.0) || cube.spin != 0.0) names.push_back(cube.name);
+  return names;
+}
+
+}  // namespace
+
+std::string cause_sentence(const StillScene& still, const Cause& cause, Language language) {
+  const std::string part = part_name(still, cause.part.cubes, cause.base, language);
+  if (cause.failure == Failure::tips) return tip_sentence(still, cause, part, language);
+  const auto [one, many] = loss_phrases(still, cause);
+  return say_in(language, is_many(cause) ? many : one,
+                {{"part", part},
+                 {"side", side_name(cause.sense, language)},
+                 {"on", list_in(language, names_of(still, cause.on))}});
+}
+
+std::string fix_sentence(const StillScene& still, const Fix& fix, Language language) {
+  const std::string& body = still.system.body(fix.cube).name;
+  if (fix.kind == Fix::Kind::move) {
+    const bool carries = fix.carried > 1;
+    return say_in(language, Phrase::fix_move,
+                  {{"body", body},
+                   {"load", carries ? say_in(language, Phrase::with_load) : ""},
+                   {"length", length_in(language, std::abs(fix.distance), Rounding::up)},
+                   {"side", side_name(fix.distance < 0.0 ? -1 : 1, language)}});
+  }
+  return say_in(language, Phrase::fix_force,
+                {{"corner", say_in(language, corner_of(still, fix.cube, fix.point))},
+                 {"body", body},
+                 {"side", say_in(language, direction_of(still, fix.force))},
+                 {"force", force_in(language, fix.force.norm(), Rounding::up)}});
+}
+
+Explanation explain(const Scene& scene, const MotionSettings& settings) {
+  Explanation e;
+  e.check = check(scene, settings);
+  if (e.check.verdict == Verdict::moves) return e;
+  e.still = still_scene(scene, settings);
+  if (e.check.verdict != Verdict::stands) {
+    e.causes = find_causes(*e.still);
+    e.fixes = find_fixes(*e.still, settings, e.causes);
+    return e;
+  }
+  e.weakest = find_weakest(*e.still);
+  const LoadRange tilt = tilt_range(*e.still, Sliding::none);
+  if (!is_empty(tilt)) e.tilt = tilt_angles(tilt);
+  return e;
+}
+
+std::vector<std::string> sentences(const Scene& scene, const Explanation& e, Language language) {
+  std::vector<std::string> text;
+  switch (e.check.verdict) {
+    case Verdict::stands:
+      tell_stand(e, language, text);
+      break;
+    case Verdict::falls:
+      tell_fall(e, language, text);
+      break;
+    case Verdict::moves:
+      text.push_back(
+          say_in(language, Phrase::moves, {{"names", list_in(language, moving_names(scene))}}));
+      break;
+    case Verdict::undecided:
+      text.push_back(say_in(language, Phrase::undecided));
+      break;
+  }
+  return text;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,35 @@
+/// What is known of why a scene stands or falls, and how it is said.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/words/language.h"
+#include "core/check.h"
+#include "core/statics/fixes.h"
+#include "core/statics/margins.h"
+
+namespace wuerfel {
+
+struct Explanation {
+  Check check;
+  std::optional<StillScene> still;  ///< none where something moves
+  Causes causes;                    ///< of a scene that falls
+  std::vector<Fix> fixes;
+  std::optional<Weakest> weakest;  ///< of one that stands
+  std::optional<TiltMargin> tilt;  ///< of one that stands, if nothing could slide
+};
+
+Explanation explain(const Scene& scene, const MotionSettings& settings);
+
+/// Sentences, the most important first.
+std::vector<std::string> sentences(const Scene& scene,
+                                   const Explanation& explanation,
+                                   Language language);
+
+/// One cause, and one fix, in a sentence.
+std::string cause_sentence(const StillScene& still, const Cause& cause, Language language);
+std::string fix_sentence(const StillScene& still, const Fix& fix, Language language);
+
+}  // namespace wuerfel

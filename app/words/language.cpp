@@ -1,0 +1,203 @@
+#include "app/words/language.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+namespace wuerfel {
+
+namespace {
+
+struct Template {
+  Phrase phrase;
+  const char* en;
+  const char* de;
+};
+
+// Names of bodies stand without an article, so that any name fits.
+constexpr std::array templates{
+    Template{Phrase::stands, "It stands.", "Es steht."},
+    Template{Phrase::equilibrium, "It can stand: friction allows forces that hold all weights.",
+             "Es kann stehen: Die Reibung lässt Kräfte zu, die alle Gewichte halten."},
+    Template{Phrase::fall_also_possible, "A fall satisfies the law of friction as well.",
+             "Auch ein Fall erfüllt das Reibungsgesetz."},
+    Template{Phrase::undecided, "Whether it stands cannot be told within rounding.",
+             "Ob es steht, lässt sich im Rahmen der Rundung nicht sagen."},
+    Template{Phrase::moves, "It is moving from the start: {names}.",
+             "Es ist von Anfang an in Bewegung: {names}."},
+    Template{Phrase::weakest,
+             "The weakest is {body}: its weight may shift {length} to the {side}, not more.",
+             "Am schwächsten ist {body}: Das Gewicht darf um {length} nach {side} rücken, nicht "
+             "weiter."},
+    Template{Phrase::knife_edge,
+             "It stands on a knife edge: {body} may not move to the {side} at all.",
+             "Es steht auf der Kippe: {body} darf nicht weiter nach {side}."},
+    Template{Phrase::no_weakest, "No shift of a weight makes it fall.",
+             "Kein Verschieben eines Gewichts bringt es zu Fall."},
+    Template{Phrase::tilt,
+             "If nothing could slide it might be tilted by {to_left} to the left and by {to_right} "
+             "to the right.",
+             "Könnte nichts rutschen, dürfte man es um {to_left} nach links und um {to_right} nach "
+             "rechts neigen."},
+    Template{Phrase::no_tilt, "No tilt makes it stand.", "Kein Neigen bringt es zum Stehen."},
+    Template{Phrase::any_tilt, "any angle", "jeden Winkel"},
+    Template{Phrase::tips,
+             "{part} tips to the {side} over {corner}: its centre of mass is {length} outside.",
+             "{part} kippt nach {side} über {corner}: Der Schwerpunkt liegt {length} außerhalb."},
+    Template{Phrase::tip,
+             "{part} together tip to the {side} over {corner}: their centre of mass is {length} "
+             "outside.",
+             "{part} kippen zusammen nach {side} über {corner}: Ihr Schwerpunkt liegt {length} "
+             "außerhalb."},
+    Template{Phrase::corner_of, "the corner of {on}", "die Ecke von {on}"},
+    Template{Phrase::own_corner, "its own corner on {on}", "die eigene Ecke auf {on}"},
+    Template{Phrase::own_corners, "their own corner on {on}", "die eigene Ecke auf {on}"},
+    Template{Phrase::slides, "{part} slides to the {side} on {on}: nothing holds it there.",
+             "{part} rutscht auf {on} nach {side}: Dort hält nichts."},
+    Template{Phrase::slide,
+             "{part} together slide to the {side} on {on}: nothing holds them there.",
+             "{part} rutschen zusammen auf {on} nach {side}: Dort hält nichts."},
+    Template{Phrase::rubs_away, "{part} goes to the {side} on {on}: friction cannot hold it.",
+             "{part} weicht auf {on} nach {side}: Die Reibung hält nicht."},
+    Template{Phrase::rub_away,
+             "{part} together go to the {side} on {on}: friction cannot hold them.",
+             "{part} weichen zusammen auf {on} nach {side}: Die Reibung hält nicht."},
+    Template{Phrase::gives_way, "{part} gives way on {on}.", "{part} gibt auf {on} nach."},
+    Template{Phrase::give_way, "{part} together give way on {on}.",
+             "{part} geben zusammen auf {on} nach."},
+    Template{Phrase::drops, "{part} falls: nothing carries it.", "{part} fällt: Nichts trägt."},
+    Template{Phrase::drop, "{part} fall: nothing carries them.", "{part} fallen: Nichts trägt."},
+    Template{Phrase::no_part_alone, "No part fails alone; together they move.",
+             "Kein Teil fällt für sich; zusammen geben sie nach."},
+    Template{Phrase::turns, "{part}: turns to the {side}{partners} ({share} of the work).",
+             "{part}: dreht sich nach {side}{partners} ({share} der Arbeit)."},
+    Template{Phrase::goes, "{part}: goes {side}{partners} ({share} of the work).",
+             "{part}: geht nach {side}{partners} ({share} der Arbeit)."},
+    Template{Phrase::parts_from, ", parts from {names}", ", löst sich von {names}"},
+    Template{Phrase::proof,
+             "Proof: moving like this no contact closes, and the weights do {power}.",
+             "Beweis: Bei dieser Bewegung schließt sich keine Berührung, und die Gewichte leisten "
+             "{power}."},
+    Template{Phrase::fix_move, "It stands if {body}{load} is moved {length} to the {side}.",
+             "Es steht, wenn man {body}{load} um {length} nach {side} schiebt."},
+    Template{Phrase::fix_force,
+             "It stands if the {corner} corner of {body} is held {side} with {force}.",
+             "Es steht, wenn man die Ecke {corner} von {body} mit {force} nach {side} hält."},
+    Template{Phrase::with_load, ", with what it carries,", " mit allem darauf"},
+    Template{Phrase::with_many, "{body} with the {count} cubes on it",
+             "{body} mit den {count} Würfeln darauf"},
+    Template{Phrase::left, "left", "links"},
+    Template{Phrase::right, "right", "rechts"},
+    Template{Phrase::up, "up", "oben"},
+    Template{Phrase::down, "down", "unten"},
+    Template{Phrase::upper_left, "upper left", "oben links"},
+    Template{Phrase::upper_right, "upper right", "oben rechts"},
+    Template{Phrase::lower_left, "lower left", "unten links"},
+    Template{Phrase::lower_right, "lower right", "unten rechts"},
+    Template{Phrase::and_word, "and", "und"},
+    Template{Phrase::nothing_found, "No single move or force was found that makes it stand.",
+             "Kein einzelnes Schieben oder Halten wurde gefunden, das es zum Stehen bringt."},
+};
+
+constexpr int digits = 3;
+
+// Three digits, rounded so that the advice still holds; what is above by rounding only is not.
+double rounded(double value, Rounding rounding) {
+  if (value == 0.0 || rounding == Rounding::nearest) return value;
+  constexpr double noise = 1e-6;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
+  return std::ceil(std::abs(value) / unit - noise) * unit;
+}
+
+std::string number_in(Language language, double value) {
+  std::string text = fmt::format("{:.3g}", value);
+  if (text.find('e') != std::string::npos) text = fmt::format("{:.0f}", value);
+  if (language == Language::de) {
+    const std::size_t point = text.find('.');
+    if (point != std::string::npos) text[point] = ',';
+  }
+  return text;
+}
+
+struct Unit {
+  double size;
+  const char* name;
+};
+
+// In the largest unit that it is not small in.
+template <std::size_t count>
+std::string in_units(Language language, double value, const std::array<Unit, count>& units) {
+  const Unit* unit = units.data();
+  while (unit + 1 != units.data() + count && std::abs(value) < 0.0999 * unit->size)
+    ++unit;
+  return number_in(language, value / unit->size) + " " + unit->name;
+}
+
+}  // namespace
+
+std::string_view to_string(Language language) {
+  switch (language) {
+    case Language::en:
+      return "en";
+    case Language::de:
+      return "de";
+  }
+  return "?";
+}
+
+std::string say_in(Language language, Phrase phrase, const Values& values) {
+  std::string text;
+  for (const Template& t : templates)
+    if (t.phrase == phrase) text = language == Language::de ? t.de : t.en;
+  for (const auto& [name, value] : values) {
+    const std::string brace = "{" + name + "}";
+    for (std::size_t at = text.find(brace); at != std::string::npos;
+         at = text.find(brace, at + value.size()))
+      text.replace(at, brace.size(), value);
+  }
+  return text;
+}
+
+std::string list_in(Language language, const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0)
+      text += i + 1 == names.size() ? " " + say_in(language, Phrase::and_word) + " " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string length_in(Language language, double metres, Rounding rounding) {
+  constexpr std::array units{Unit{1.0, "m"}, Unit{1e-3, "mm"}, Unit{1e-6, "µm"}, Unit{1e-9, "nm"}};
+  // Millimetres up to a metre, as on a drawing.
+  const double value = rounded(metres, rounding);
+  if (std::abs(value) >= 1e-4 && std::abs(value) < 0.9995)
+    return number_in(language, value / units[1].size) + " mm";
+  return in_units(language, value, units);
+}
+
+std::string force_in(Language language, double newtons, Rounding rounding) {
+  constexpr std::array units{Unit{1.0, "N"}, Unit{1e-3, "mN"}, Unit{1e-6, "µN"}, Unit{1e-9, "nN"}};
+  const double value = rounded(newtons, rounding);
+  if (std::abs(value) >= 1e3) return number_in(language, value / 1e3) + " kN";
+  return in_units(language, value, units);
+}
+
+std::string power_in(Language language, double watts) {
+  constexpr std::array units{Unit{1.0, "W"}, Unit{1e-3, "mW"}, Unit{1e-6, "µW"}, Unit{1e-9, "nW"}};
+  return in_units(language, watts, units);
+}
+
+std::string angle_in(Language language, double radians) {
+  if (!std::isfinite(radians)) return say_in(language, Phrase::any_tilt);
+  return number_in(language, radians * 180.0 / std::numbers::pi + 0.0) + "°";
+}
+
+std::string percent_in(Language language, double share) {
+  return number_in(language, std::round(100.0 * share) + 0.0) + " %";
+}
+
+}  // namespace wuerfel

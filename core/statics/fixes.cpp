@@ -1,0 +1,189 @@
+#include "core/statics/fixes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/dynamics/programs.h"
+#include "core/qp/coulomb/rest_program.h"
+#include "core/statics/carried.h"
+#include "core/statics/margins.h"
+
+namespace wuerfel {
+namespace {
+
+/// Cubes that are looked at: of large piles those that fail first.
+constexpr int most_cubes = 24;
+
+/// |a| + side |alpha| of the cube that it is largest for, m/s^2.
+double largest(const StillScene& still, const Island& island, const std::vector<Twist>& a) {
+  double e = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    e = std::max(e,
+                 a[k].linear.norm()
+                     + still.system.body(island.cubes[k]).size.minCoeff() * std::abs(a[k].angular));
+  return e;
+}
+
+Verdict verdict_of(double share) {
+  if (share <= stands_below) return Verdict::stands;
+  return share >= falls_above ? Verdict::falls : Verdict::undecided;
+}
+
+/// A force at a corner, with the least that it has to be.
+struct Hold {
+  int cube = 0;
+  Vec2 point = Vec2::Zero();
+  Vec2 direction = Vec2::Zero();
+  double at_least = 0.0;  ///< N
+};
+
+/// Forces that resist the motion, the ones that need least first. In the motion the weights have a
+/// power; a force that does not take it all leaves some.
+std::vector<Hold> holds(const StillScene& still,
+                        const Island& island,
+                        const std::vector<int>& cubes,
+                        const Certificate& certificate) {
+  const Vec2 right = right_of(still.down());
+  double power = 0.0;
+  std::vector<Hold> found;
+  for (const int cube : cubes) {
+    const BodyState& at = still.state[cube];
+    const Box box = make_box(at.position, at.angle, still.system.body(cube).size);
+    const Twist& a = certificate.motion[cube];
+    for (int k = 0; k < Box::corners; ++k) {
+      const Vec2 v = a.linear + a.angular * perp(box.arm[k]);
+      for (const Vec2& direction : {Vec2(-still.down()), still.down(), right, Vec2(-right)}) {
+        const double taken = -direction.dot(v);
+        if (taken > 0.0) found.push_back({cube, box.corner(k), direction, taken});
+      }
+    }
+  }
+  for (const int i : island.cubes)
+    power += still.system.body(i).mass * still.system.gravity.dot(certificate.motion[i].linear);
+  for (Hold& hold : found)
+    hold.at_least = power / hold.at_least;
+  std::ranges::stable_sort(found, {}, &Hold::at_least);
+  return found;
+}
+
+void keep_smallest(int most, std::vector<Fix>& fixes) {
+  std::ranges::stable_sort(fixes, {}, &Fix::size);
+  if (static_cast<int>(fixes.size()) > most) fixes.resize(most);
+}
+
+/// The best force on each cube.
+std::vector<Fix> forces(const StillScene& still,
+                        const IslandForces& of,
+                        const std::vector<int>& cubes,
+                        const Certificate& certificate,
+                        int most) {
+  LoadFactor factor(find_generators(still.system, still.state, of.island, Sliding::given).program);
+  const Load w = weights(still, of.island);
+  std::vector<Fix> fixes;
+  for (const Hold& hold : holds(still, of.island, cubes, certificate)) {
+    if (static_cast<int>(fixes.size()) == most && hold.at_least >= fixes.back().size()) break;
+    const double unit = still.weight(hold.cube);
+    const Load q = force_at(still, of.island, hold.cube, hold.point, unit * hold.direction);
+    const double s = factor.low(w, q);
+    if (!std::isfinite(s) || s <= 0.0) continue;
+    Fix fix;
+    fix.kind = Fix::Kind::force;
+    fix.cube = hold.cube;
+    fix.point = hold.point;
+    fix.force = s * unit * hold.direction;
+    const auto same = std::ranges::find(fixes, hold.cube, &Fix::cube);
+    if (same != fixes.end() && same->size() <= fix.size()) continue;
+    fix.verified = verdict_with_force(still, fix.cube, fix.point, fix.force);
+    if (fix.verified != Verdict::stands) continue;
+    if (same != fixes.end()) fixes.erase(same);
+    fixes.push_back(fix);
+    keep_smallest(most, fixes);
+  }
+  return fixes;
+}
+
+std::vector<Fix> moves(const StillScene& still,
+                       const MotionSettings& settings,
+                       const std::vector<int>& cubes,
+                       int most) {
+  std::vector<Fix> fixes;
+  for (const int cube : cubes) {
+    const std::optional<double> distance = mending_move(still, settings, cube);
+    if (!distance) continue;
+    const CarriedGroup group = *carried_group(still, cube);
+    Fix fix;
+    fix.cube = cube;
+    fix.distance = *distance;
+    fix.carried = static_cast<int>(group.cubes.size());
+    fix.along = group.along;
+    fix.point = still.state[cube].position;
+    fix.verified = move(still, settings, group, *distance).verdict;
+    if (fix.verified == Verdict::stands) fixes.push_back(fix);
+  }
+  keep_smallest(most, fixes);
+  return fixes;
+}
+
+/// The cubes of an island that take part in what fails, those that fail first before the others.
+std::vector<int> concerned(const Island& island, int m, const Causes& causes) {
+  std::vector<int> cubes;
+  const auto add = [&](const std::vector<int>& more) {
+    for (const int cube : more) {
+      const bool known = std::ranges::find(cubes, cube) != cubes.end();
+      if (!known && static_cast<int>(cubes.size()) < most_cubes) cubes.push_back(cube);
+    }
+  };
+  for (const Cause& cause : causes.causes)
+    if (cause.island == m) add(cause.part.cubes);
+  for (const MovingPart& part : causes.mechanism)
+    if (std::ranges::binary_search(island.cubes, part.cubes.front())) add(part.cubes);
+  return cubes;
+}
+
+}  // namespace
+
+Verdict verdict_with_force(const StillScene& still,
+                           int cube,
+                           const Vec2& point,
+                           const Vec2& force) {
+  const Island& island = still.found.islands[still.island_of(cube)].island;
+  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  ProgramBuilder builder(still.system, Formulation::rigid);
+  builder.acceleration(still.state, island, use);
+  if (still.system.rubs) builder.add_friction(still.state, island, use, Order::acceleration);
+  QuadraticProgram program = builder.program();
+  const Load load = force_at(still, island, cube, point, force);
+  for (int k = 0; k < program.unknowns(); ++k)
+    program.target[k] += load[k] / program.mass[k];
+  const double g = still.weight(cube) / still.system.body(cube).mass;
+  const auto judge = [&](const std::vector<double>& x) {
+    return verdict_of(largest(still, island, builder.twists(still.state, island, x)) / g);
+  };
+  if (still.system.rubs) {
+    const RestResult rest = RestProgram().solve({program, builder.friction_program().contacts});
+    return rest.equilibrium() ? Verdict::stands : judge(rest.acceleration);
+  }
+  QpResult result;
+  make_qp_solver(QpMethod::automatic, {.by_block = true})->solve(program, result);
+  return result.status == QpStatus::optimal ? judge(result.x) : Verdict::undecided;
+}
+
+std::vector<Fix> find_fixes(const StillScene& still,
+                            const MotionSettings& settings,
+                            const Causes& causes,
+                            int most) {
+  std::vector<Fix> fixes;
+  for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
+    const IslandForces& of = still.found.islands[m];
+    if (of.rests) continue;
+    const std::vector<int> cubes = concerned(of.island, m, causes);
+    for (Fix& fix : moves(still, settings, cubes, most))
+      fixes.push_back(fix);
+    for (Fix& fix : forces(still, of, cubes, causes.certificate, most))
+      fixes.push_back(fix);
+  }
+  return fixes;
+}
+
+}  // namespace wuerfel

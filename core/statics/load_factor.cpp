@@ -1,0 +1,175 @@
+#include "core/statics/load_factor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// Of the programs: a hundredth of what `check` asks, since cuts divide what is left.
+constexpr double program_tolerance = 1e-12;
+/// A motion below this share of the largest acceleration at hand is rounding.
+constexpr double at_rest = 1e-11;
+/// A row carries force above this share of the largest force.
+constexpr double carrying = 1e-9;
+/// A motion keeps clear of a row whose rate is not below this share of its own.
+constexpr double clear = 1e-10;
+/// A load with less than this share of the power it could have has none.
+constexpr double powerless = 1e-9;
+/// How far above the end the rows that carry force there are looked up.
+constexpr double just_above = 1e-6;
+constexpr int most_cuts = 100;
+/// Of an end, as a share of it.
+constexpr double rounding = 1e-12;
+/// A load so many times as large as the weights drowns them: what it needs to be more is never enough.
+constexpr double drowning = 1e9;
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    sum += a[k] * b[k];
+  return sum;
+}
+
+std::vector<double> reversed(std::vector<double> q) {
+  for (double& x : q)
+    x = -x;
+  return q;
+}
+
+}  // namespace
+
+LoadFactor::LoadFactor(const QuadraticProgram& program)
+    : program_(program),
+      solver_(
+          make_qp_solver(QpMethod::automatic, {.tolerance = program_tolerance, .by_block = true})),
+      row_norm_(program.rows()),
+      tight_(program.rows()) {
+  std::ranges::fill(program_.bound, 0.0);
+  for (int row = 0; row < program_.rows(); ++row) {
+    program_.for_each_entry(row, [&](const double* J, int first, int size) {
+      for (int c = 0; c < size; ++c)
+        row_norm_[row] += J[c] * J[c] * program_.mass[first] / program_.mass[first + c];
+    });
+    row_norm_[row] = std::sqrt(row_norm_[row]);
+  }
+}
+
+/// The largest acceleration of a block; turning counts times the radius of gyration.
+double LoadFactor::largest(const std::vector<double>& a) const {
+  double most = 0.0;
+  for (int k = 0; k < program_.unknowns(); k += program_.block_size) {
+    double square = 0.0;
+    for (int c = k; c < k + program_.block_size; ++c)
+      square += a[c] * a[c] * program_.mass[c] / program_.mass[k];
+    most = std::max(most, square);
+  }
+  return std::sqrt(most);
+}
+
+bool LoadFactor::balances(const std::vector<double>& w, const std::vector<double>& q, double s) {
+  for (int k = 0; k < program_.unknowns(); ++k)
+    program_.target[k] = (w[k] + s * q[k]) / program_.mass[k];
+  const double scale = largest(program_.target);
+  if (scale == 0.0) {
+    result_.x.assign(program_.unknowns(), 0.0);
+    result_.multiplier.assign(program_.rows(), 0.0);
+    return true;
+  }
+  solver_->solve(program_, result_);
+  return largest(result_.x) <= at_rest * scale;
+}
+
+/// Whether a row of one sign would close.
+bool LoadFactor::hinders(const std::vector<double>& d) const {
+  const double least = -clear * largest(d);
+  for (int row = 0; row < program_.rows(); ++row)
+    if (tight_[row] == 0 && program_.row_value(row, d) < least * row_norm_[row]) return true;
+  return false;
+}
+
+/// The cut of the load's own part that the carrying rows leave free, where that is a motion.
+bool LoadFactor::exact_cut(const std::vector<double>& w, const std::vector<double>& q, double& s) {
+  double most = 0.0;
+  for (const double f : result_.multiplier)
+    most = std::max(most, std::abs(f));
+  for (int row = 0; row < program_.rows(); ++row)
+    tight_[row] = program_.is_equality(row) || result_.multiplier[row] > carrying * most ? 1 : 0;
+  for (int k = 0; k < program_.unknowns(); ++k)
+    program_.target[k] = q[k] / program_.mass[k];
+  equalities_.factorise(program_, &tight_);
+  equalities_.solve(program_, d_, multiplier_);
+  const double power = dot(q, d_);
+  if (power <= powerless * dot(q, program_.target) || hinders(d_)) return false;
+  s = -dot(w, d_) / power;
+  return true;
+}
+
+LoadFactor::Cut LoadFactor::cut(const std::vector<double>& w, const std::vector<double>& q) {
+  const std::vector<double> a = result_.x;
+  const double power = dot(q, a);
+  double of_load = 0.0;
+  for (int k = 0; k < program_.unknowns(); ++k)
+    of_load += std::abs(q[k] * a[k]);
+  if (power <= powerless * of_load) return {0.0, true};
+  double s = -dot(w, a) / power;
+  double exact = 0.0;
+  if (exact_cut(w, q, exact)) s = std::min(s, exact);
+  return {s, false};
+}
+
+/// The same end again from the face just above it.
+void LoadFactor::confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found) {
+  const double above = found.s + just_above * (1.0 + std::abs(found.s));
+  double exact = 0.0;
+  if (balances(w, q, above)) {
+    found.error = above - found.s;
+  } else if (exact_cut(w, q, exact)) {
+    found.error = std::abs(found.s - exact);
+    found.s = std::min(found.s, exact);
+  } else {
+    found.error = just_above * std::abs(found.s);
+  }
+}
+
+LoadFactor::Top LoadFactor::top(const std::vector<double>& w, const std::vector<double>& q) {
+  constexpr double none = -unbounded;
+  const std::vector<double> nothing(q.size(), 0.0);
+  if (balances(q, nothing, 0.0)) return {};
+  Cut next = cut(w, q);
+  Top found{next.s};
+  for (int k = 0; k < most_cuts; ++k) {
+    if (next.none || next.s < -drowning) return {none};
+    found.s = next.s;
+    if (balances(w, q, found.s)) {
+      confirm(w, q, found);
+      return found;
+    }
+    next = cut(w, q);
+    const double step = found.s - next.s;
+    if (!next.none && step <= 1e-14 * std::abs(found.s)) {  // no cut goes below this one
+      confirm(w, q, found);
+      return found;
+    }
+  }
+  return {none};
+}
+
+LoadRange LoadFactor::range(const std::vector<double>& w, const std::vector<double>& q) {
+  const Top above = top(w, q);
+  if (above.s == -unbounded) return no_load;
+  const Top below = top(w, reversed(q));
+  if (below.s == -unbounded) return no_load;
+  if (above.s == unbounded && below.s == unbounded && !balances(w, q, 0.0)) return no_load;
+  LoadRange found{-below.s, above.s, std::max(above.error, below.error)};
+  // One point, whose two ends rounding has crossed.
+  if (is_empty(found) && found.low - found.high <= rounding * (1.0 + std::abs(found.low)))
+    std::swap(found.low, found.high);
+  return found;
+}
+
+double LoadFactor::low(const std::vector<double>& w, const std::vector<double>& q) {
+  return -top(w, reversed(q)).s;
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,77 @@
+/// How many times a load can be added to weights before the contacts cannot balance them: all s with
+///
+///     G f + w + s q = 0,   f >= 0.                                                        (E)
+///
+/// By Gauss' principle. a(s), the minimiser of 1/2 |a - M^-1 (w + s q)|_M^2 under G' a >= 0, is zero
+/// if and only if (E) has a solution. If it is not it proves that there is none [Farkas 1902]: no
+/// contact closes, and the loads have power <w + s q, a> = |a|_M^2 > 0. Any forces of (E) at s' give
+/// <w + s' q, a> <= 0, so that each a is a cut s' <= -<w, a> / <q, a>. The cuts are the steps of
+/// Newton's method for the zero of the convex function |a(s)|_M, from above: finitely many, one for
+/// each face of the cone. The last motion is the collapse mechanism of limit analysis, (E) its static
+/// theorem [Livesley 1978].
+///
+/// Near the end a cut divides two tiny numbers. So it is taken from the load alone: with S, the rows
+/// that carry force just above, d = the part of M^-1 q orthogonal to S has the same direction as a(s)
+/// and is found by one linear system; -<w, d> / <q, d> is exact for the whole face.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/qp/methods/equality_solver.h"
+#include "core/qp/qp_solver.h"
+
+namespace wuerfel {
+
+/// From low to high, both included; infinite where there is no limit.
+struct LoadRange {
+  double low = -unbounded;
+  double high = unbounded;
+  double error = 0.0;  ///< width of the bracket around each end
+
+  [[nodiscard]] bool contains(double s) const { return low <= s && s <= high; }
+};
+
+/// Where there is no s at all.
+inline constexpr LoadRange no_load{unbounded, -unbounded, 0.0};
+inline bool is_empty(const LoadRange& range) { return range.low > range.high; }
+
+class LoadFactor {
+ public:
+  /// Generators as rows; bounds and targets are not looked at.
+  explicit LoadFactor(const QuadraticProgram& program);
+
+  /// Loads (N, N m) as vectors of n. q should be about as large as w.
+  LoadRange range(const std::vector<double>& w, const std::vector<double>& q);
+
+  /// The low end alone; infinite where there is no s, -infinite where there is no limit.
+  double low(const std::vector<double>& w, const std::vector<double>& q);
+
+ private:
+  struct Top {
+    double s = unbounded;  ///< the largest one; -infinity: there is none
+    double error = 0.0;
+  };
+  struct Cut {
+    double s = 0.0;
+    bool none = false;  ///< the load cannot help: there is no s below
+  };
+  Top top(const std::vector<double>& w, const std::vector<double>& q);
+  void confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found);
+  Cut cut(const std::vector<double>& w, const std::vector<double>& q);
+  bool exact_cut(const std::vector<double>& w, const std::vector<double>& q, double& s);
+  bool hinders(const std::vector<double>& d) const;
+  /// Solves for w + s q; true where there are forces.
+  bool balances(const std::vector<double>& w, const std::vector<double>& q, double s);
+  [[nodiscard]] double largest(const std::vector<double>& a) const;
+
+  QuadraticProgram program_;
+  std::unique_ptr<QpSolver> solver_;
+  QpResult result_;  ///< of the last `balances`
+  EqualitySolver equalities_;
+  std::vector<double> row_norm_;
+  std::vector<char> tight_;
+  std::vector<double> d_, multiplier_;
+};
+
+}  // namespace wuerfel

@@ -1,0 +1,44 @@
+#include "core/statics/still_scene.h"
+
+#include <algorithm>
+
+namespace wuerfel {
+
+int StillScene::island_of(int cube) const {
+  const auto of = std::ranges::find_if(found.islands, [cube](const IslandForces& f) {
+    return std::ranges::binary_search(f.island.cubes, cube);
+  });
+  return of == found.islands.end() ? -1 : static_cast<int>(of - found.islands.begin());
+}
+
+std::vector<char> StillScene::concerned(int island) const {
+  std::vector<char> result(system.cubes, 0);
+  for (int m = 0; m < static_cast<int>(found.islands.size()); ++m) {
+    if (m != island && falls(found.islands[m])) continue;
+    for (const int cube : found.islands[m].island.cubes)
+      result[cube] = 1;
+  }
+  return result;
+}
+
+double StillScene::weight(int cube) const {
+  const double g = system.gravity.norm();
+  return system.body(cube).mass * (g > 0.0 ? g : 1.0);
+}
+
+Vec2 StillScene::down() const {
+  const double g = system.gravity.norm();
+  return g > 0.0 ? Vec2(system.gravity / g) : Vec2(0.0, -1.0);
+}
+
+StillScene still_scene(const System& system, const State& state, const MotionSettings& settings) {
+  StillScene still{system, state, forces_at(system, settings, state, Detail::uniqueness)};
+  still.verdict = judge(system, state, still.found);
+  return still;
+}
+
+StillScene still_scene(const Scene& scene, const MotionSettings& settings) {
+  return still_scene(make_system(scene), initial_state(scene), settings);
+}
+
+}  // namespace wuerfel

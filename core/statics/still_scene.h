@@ -1,0 +1,38 @@
+/// A scene at its start, looked at once: what margins, ranges and causes are asked of.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/dynamics/forces_at.h"
+#include "core/dynamics/verdict.h"
+#include "core/settings.h"
+
+namespace wuerfel {
+
+/// Everything but the verdict is meant for scenes in which nothing moves yet.
+struct StillScene {
+  System system;
+  State state;
+  InstantForces found;
+  Verdict verdict = Verdict::undecided;
+
+  /// Number of the island of a cube, -1 where it touches nothing.
+  [[nodiscard]] int island_of(int cube) const;
+  /// Whether an island falls, or cannot be said to stand.
+  [[nodiscard]] bool falls(const IslandForces& of) const { return !of.rests; }
+  /// Per cube whether what it does depends on an island: 0 for cubes that fall without it.
+  [[nodiscard]] std::vector<char> concerned(int island) const;
+  /// N; of one kilogram where there is no gravity.
+  [[nodiscard]] double weight(int cube) const;
+  /// Unit vector along gravity; down where there is none.
+  [[nodiscard]] Vec2 down() const;
+};
+
+/// Of a scene that `check` accepts.
+StillScene still_scene(const Scene& scene, const MotionSettings& settings);
+
+/// Of the same bodies elsewhere.
+StillScene still_scene(const System& system, const State& state, const MotionSettings& settings);
+
+}  // namespace wuerfel

@@ -1,0 +1,80 @@
+#include "core/time/shown_joints.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace wuerfel {
+namespace {
+
+/// A joint that grows contact by contact.
+struct Growing {
+  SnapshotJoint joint;
+  double pressure = 0.0;           ///< N, sum of the normal forces so far
+  Vec2 moment = Vec2::Zero();      ///< N m, sum of the places so far, each times its normal force
+  std::pair<double, double> span;  ///< m, along perp(normal) from the first contact
+  Vec2 origin = Vec2::Zero();      ///< m, the first contact
+};
+
+Growing start(const System& system, const Contact& c) {
+  Growing of;
+  const bool on = is_carried(system, c);
+  of.joint.body = on ? c.on : c.from;
+  of.joint.other = on ? c.from : c.on;
+  of.joint.normal = on ? c.normal : Vec2(-c.normal);
+  of.origin = c.point;
+  return of;
+}
+
+void include(const IslandForces& found, int k, Growing& of) {
+  const Contact& c = found.island.contacts[k];
+  const double offset = (c.point - of.origin).dot(perp(of.joint.normal));
+  of.span.first = std::min(of.span.first, offset);
+  of.span.second = std::max(of.span.second, offset);
+  const double sign = of.joint.body == c.on ? 1.0 : -1.0;
+  const double normal = found.forces.force[k];
+  of.joint.force += sign * normal * c.normal;
+  if (!found.forces.tangential.empty())
+    of.joint.force += sign * found.forces.tangential[k] * perp(c.normal);
+  of.pressure += normal;
+  of.moment += normal * c.point;
+  if (found.detail == Detail::uniqueness && found.forces.unique[k] == 0) of.joint.unique = false;
+}
+
+SnapshotJoint finish(Growing of) {
+  const Vec2 along = perp(of.joint.normal);
+  of.joint.from = of.origin + of.span.first * along;
+  of.joint.to = of.origin + of.span.second * along;
+  of.joint.point = of.moment / of.pressure;
+  return of.joint;
+}
+
+}  // namespace
+
+bool is_carried(const System& system, const Contact& contact) {
+  const bool carries = system.gravity.dot(contact.normal) <= 0.0;
+  return system.is_cube(contact.on) && (carries || !system.is_cube(contact.from));
+}
+
+double least_pressing(const ContactForces& forces) {
+  constexpr double share = 1e-9;
+  return forces.force.empty() ? 0.0 : share * std::ranges::max(forces.force);
+}
+
+// Two boxes, or a box and a plane, are convex: they touch by one face.
+void add_joints(const System& system, const IslandForces& of, std::vector<SnapshotJoint>& joints) {
+  std::map<std::pair<int, int>, int> number;
+  std::vector<Growing> growing;
+  for (int k = 0; k < std::ssize(of.island.contacts); ++k) {
+    const Contact& c = of.island.contacts[k];
+    const auto [entry, is_new] =
+        number.emplace(std::minmax(c.on, c.from), static_cast<int>(growing.size()));
+    if (is_new) growing.push_back(start(system, c));
+    include(of, k, growing[entry->second]);
+  }
+  const double least = least_pressing(of.forces);
+  for (const Growing& joint : growing)
+    if (joint.pressure > least) joints.push_back(finish(joint));
+}
+
+}  // namespace wuerfel

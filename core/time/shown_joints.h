@@ -1,0 +1,22 @@
+/// Corner forces -> one resultant for each pair of bodies that touch.
+#pragma once
+
+#include <vector>
+
+#include "core/dynamics/forces_at.h"
+#include "core/snapshot.h"
+
+namespace wuerfel {
+
+/// Whether the force that is shown of a contact acts on the body of the corner: shown is the force
+/// that carries, on the upper body of the two, and on a cube where one is fixed.
+bool is_carried(const System& system, const Contact& contact);
+
+/// N; contacts with no more than this do not press: as with IslandSolution::least_pressing, what a
+/// solver may leave.
+double least_pressing(const ContactForces& forces);
+
+/// Adds the joints of an island that press.
+void add_joints(const System& system, const IslandForces& of, std::vector<SnapshotJoint>& joints);
+
+}  // namespace wuerfel

@@ -1,0 +1,206 @@
+#include "core/time/stepping/step_books.h"
+
+#include <algorithm>
+
+#include "core/constraints/islands.h"
+#include "core/dynamics/momentum.h"
+
+namespace wuerfel {
+namespace {
+
+/// What the sway of a step takes from the energy is given back by no more than this factor on
+/// velocities.
+constexpr double most_given_back = 1.01;
+
+/// What the contacts of a component take from its energy, J.
+struct Balance {
+  double friction = 0.0;      ///< along sides
+  double closing = 0.0;       ///< those that close
+  double lasting = 0.0;       ///< those that were closed and stay so: the sway of the method, where
+                              ///< nothing is struck
+  double last_struck = -1.0;  ///< share of the step; none: -1
+};
+
+/// Makes the losses of single contacts, which are positive, add up to what is taken on balance.
+void balance(const Balance& sums, std::vector<StepLoss>& losses) {
+  const bool struck = sums.last_struck >= 0.0;
+  const double total = std::max(0.0, sums.closing + (struck ? sums.lasting : 0.0));
+  const double booked = sum_of(losses);
+  if (total > booked) {
+    losses.push_back({struck ? sums.last_struck : 1.0, total - booked, false});
+  } else {
+    for (StepLoss& loss : losses)
+      loss.energy *= total / booked;
+  }
+}
+
+int a_cube_of(const System& system, const Contact& c) {
+  return system.is_cube(c.on) ? c.on : c.from;
+}
+
+/// Per cube the number of its component, -1 where it is in none.
+std::vector<int> component_of(const std::vector<StepComponent>& components, std::size_t cubes) {
+  std::vector<int> number(cubes, -1);
+  for (int k = 0; k < static_cast<int>(components.size()); ++k) {
+    for (const int cube : components[k].cubes)
+      number[cube] = k;
+  }
+  return number;
+}
+
+/// Cubes that pushed one another, and the fixed bodies that keep them.
+std::vector<StepComponent> components_of(const System& system, const Stride& stride) {
+  std::vector<Contact> acting;
+  for (const auto& [id, blow] : stride.blows) {
+    if (blow.acts()) acting.push_back(blow.end);
+  }
+  std::vector<Island> islands;
+  find_islands(system, acting, islands);
+  std::vector<StepComponent> components;
+  for (Island& island : islands)
+    components.push_back({std::move(island.cubes), {}, {}});
+  const std::vector<int> component = component_of(components, stride.start.size());
+  for (const auto& [id, blow] : stride.blows) {
+    const Contact& c = blow.end;
+    if (system.is_cube(c.on) && system.is_cube(c.from)) continue;
+    const int k = component[a_cube_of(system, c)];
+    if (k < 0 || !(blow.acts() || is_near(system, c, touching_share))) continue;
+    std::vector<Vec2>& normals = components[k].fixed_normals;
+    if (normals.size() < 2) normals.push_back(c.normal);
+  }
+  return components;
+}
+
+/// J, along the normal, and along the side.
+struct Work {
+  double normal = 0.0;
+  double side = 0.0;
+};
+
+/// Work of a contact in both halves: what its impulses do against the mean velocities that they
+/// change, gravity aside.
+Work work_of(const System& system, const Stride& stride, const Blow& blow, const State& end) {
+  Work sum;
+  const auto add = [&](const Contact& c, const Vec2& p, const State& a, const State& b, Vec2 more) {
+    if (p.isZero(0.0)) return;
+    if (!system.is_cube(c.on)) more = -more;
+    if (system.is_cube(c.on) && system.is_cube(c.from)) more.setZero();
+    const Vec2 v = 0.5 * (relative_velocity(system, a, c) + relative_velocity(system, b, c)) + more;
+    const Vec2 t = perp(c.normal);
+    sum.normal += p.dot(c.normal) * v.dot(c.normal);
+    sum.side += p.dot(t) * v.dot(t);
+  };
+  add(blow.start, blow.first, stride.start, stride.half, -0.25 * stride.h * system.gravity);
+  add(blow.end, blow.second, stride.before, end, Vec2::Zero());
+  return sum;
+}
+
+/// Whether the contact is closed at the start and does not close: its work is the sway of the method.
+bool lasts(const System& system, const Stride& stride, const Blow& blow) {
+  return blow.start.gap <= touching_share * contact_scale(system, blow.start)
+         && closing_speed(system, stride, blow.start) <= impact_steps;
+}
+
+/// The share of the step at which a gap closes at the speed of the start; 1 where it closes more slowly
+/// than an impact.
+double struck_at(const System& system, const Stride& stride, const Blow& blow) {
+  const double speed = closing_speed(system, stride, blow.start);
+  if (speed <= impact_steps) return 1.0;
+  const double fall = stride.scales.gravity * stride.h * stride.h;
+  return std::clamp(blow.start.gap / (speed * fall), 0.0, 1.0);
+}
+
+StepImpulse impulse_of(const System& system,
+                       const Stride& stride,
+                       const Blow& blow,
+                       const State& end,
+                       double from,
+                       double to) {
+  const auto turn = [&](int body) {
+    if (!system.is_cube(body)) return 0.0;
+    return det(blow.start.point - stride.start[body].position, blow.first)
+           + det(blow.end.point - end[body].position, blow.second);
+  };
+  const Contact& c = blow.end;
+  return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from), from, to};
+}
+
+}  // namespace
+
+double sum_of(const std::vector<StepLoss>& losses) {
+  double sum = 0.0;
+  for (const StepLoss& loss : losses)
+    sum += loss.energy;
+  return sum;
+}
+
+StepRecord record_of(const System& system, const Stride& stride, const State& end) {
+  StepRecord record{{}, components_of(system, stride)};
+  const std::vector<int> component = component_of(record.components, stride.start.size());
+  std::vector<Balance> balances(record.components.size());
+  for (const auto& [id, blow] : stride.blows) {
+    if (!blow.acts()) continue;
+    const bool struck = closing_speed(system, stride, blow.start) > impact_steps;
+    const bool stays = lasts(system, stride, blow);
+    const double share = struck_at(system, stride, blow);
+    record.impulses.push_back(impulse_of(system, stride, blow, end, struck ? share : 0.0, share));
+    const int k = component[a_cube_of(system, blow.end)];
+    const Work work = work_of(system, stride, blow, end);
+    const double loss = -work.normal;
+    balances[k].friction -= work.side;
+    (stays ? balances[k].lasting : balances[k].closing) += loss;
+    if (!stays && loss > 0.0) record.components[k].losses.push_back({share, loss, false});
+    if (struck) balances[k].last_struck = std::max(balances[k].last_struck, share);
+  }
+  for (std::size_t k = 0; k < balances.size(); ++k) {
+    std::vector<StepLoss>& losses = record.components[k].losses;
+    balance(balances[k], losses);
+    if (system.rubs && balances[k].friction > 0.0)
+      losses.push_back({1.0, balances[k].friction, true});
+  }
+  return record;
+}
+
+std::vector<Event> impacts_of(const System& system, const Stride& stride, double t) {
+  std::vector<Event> events;
+  for (const auto& [id, blow] : stride.blows) {
+    if (!blow.acts() || closing_speed(system, stride, blow.start) <= impact_steps) continue;
+    const Contact& c = blow.end;
+    events.push_back({t + struck_at(system, stride, blow) * stride.h, EventKind::impact,
+                      system.body(c.on).name, system.body(c.from).name, c.point,
+                      (blow.first + blow.second).dot(c.normal)});
+  }
+  std::ranges::stable_sort(events, {}, &Event::t);
+  return events;
+}
+
+double settle_energy(
+    const System& system, const Stride& stride, bool sways, StepRecord& record, State& end) {
+  double rise = 0.0;
+  double unpaid = 0.0;
+  const auto kept = [&](const StepComponent& part) {
+    return kept_motion(momentum_of(system, end, part.cubes), part.fixed_normals);
+  };
+  for (StepComponent& part : record.components) {
+    const double lost = sum_of(part.losses);
+    const double goal = energy_of(system, stride.start, part.cubes) - lost;
+    rise += std::max(0.0, energy_of(system, end, part.cubes) - goal);
+    if (sways) continue;
+    const double missing =
+        scale_to_energy(system, part.cubes, kept(part), goal, most_given_back, end);
+    const double kept_back = std::clamp(-missing, 0.0, lost);
+    unpaid += std::max(0.0, -missing - kept_back);
+    for (StepLoss& loss : part.losses) {
+      if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
+    }
+  }
+  // What slides as a whole has no motion to pay with: others of the group do.
+  for (const StepComponent& part : record.components) {
+    if (unpaid <= 0.0) break;
+    const double goal = energy_of(system, end, part.cubes) - unpaid;
+    unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept(part), goal, 1.0, end));
+  }
+  return rise;
+}
+
+}  // namespace wuerfel

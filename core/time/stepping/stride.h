@@ -1,0 +1,41 @@
+/// A step of time stepping while it is taken: where it leads from, and the impulses of its contacts.
+#pragma once
+
+#include <map>
+
+#include "core/constraints/contact.h"
+#include "core/model/scales.h"
+
+namespace wuerfel {
+
+/// Gaps of up to this share of the smaller side are closed at the ends of a step.
+inline constexpr double touching_share = 1e-8;
+/// Closing speeds beyond this many g h are impacts, not the load of a step.
+inline constexpr double impact_steps = 0.5;
+
+/// A contact that acts in a step, and its impulses (N s) on the body of the corner, of both halves.
+struct Blow {
+  Contact start;  ///< as it is at the start of the step
+  Contact end;    ///< where the cubes have come
+  Vec2 first = Vec2::Zero();
+  Vec2 second = Vec2::Zero();
+  [[nodiscard]] bool acts() const { return !first.isZero(0.0) || !second.isZero(0.0); }
+};
+
+struct Stride {
+  double h = 0.0;  ///< s
+  Scales scales;
+  State start;
+  State half;    ///< the start with the velocities between the halves
+  State before;  ///< the end with the velocities before the second impulses
+  std::map<ContactId, Blow> blows;
+};
+
+/// How fast the contact closes at the start, in units of g h.
+double closing_speed(const System& system, const Stride& stride, const Contact& contact);
+
+/// Whether the gap is nearer to closed than a share of the smaller side, and the corner within the
+/// side.
+bool is_near(const System& system, const Contact& contact, double share);
+
+}  // namespace wuerfel

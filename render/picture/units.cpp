@@ -1,0 +1,77 @@
+#include "render/picture/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace wuerfel::internal {
+namespace {
+
+struct Prefix {
+  double factor;
+  std::string_view name;
+};
+
+constexpr std::array<Prefix, 10> prefixes{{{1e15, "P"},
+                                           {1e12, "T"},
+                                           {1e9, "G"},
+                                           {1e6, "M"},
+                                           {1e3, "k"},
+                                           {1.0, ""},
+                                           {1e-3, "m"},
+                                           {1e-6, "µ"},
+                                           {1e-9, "n"},
+                                           {1e-12, "p"}}};
+
+/// The prefix of numbers of this size; none for 0 and beyond the prefixes.
+Prefix prefix_of(double size) {
+  const auto fits = [size](const Prefix& p) { return size >= p.factor * (1.0 - 1e-9); };
+  const auto found = std::ranges::find_if(prefixes, fits);
+  const bool beyond = found == prefixes.end() || size >= 1e18;
+  return beyond ? Prefix{1.0, ""} : *found;
+}
+
+}  // namespace
+
+std::string with_prefix(double value, std::string_view unit, int digits) {
+  const Prefix prefix = prefix_of(std::abs(value));
+  return fmt::format("{:.{}g} {}{}", value / prefix.factor, digits, prefix.name, unit);
+}
+
+std::string length_label(double metres) {
+  if (metres < 1.0 && metres >= 0.01 * (1.0 - 1e-9))
+    return fmt::format("{:.6g} cm", 100.0 * metres);
+  return with_prefix(metres, "m");
+}
+
+std::string energy_label(double joule, double size) {
+  constexpr double shown_as_joule = 1e4;
+  const double about = std::max(std::abs(joule), size);
+  const Prefix prefix = about >= 1.0 && about < shown_as_joule ? Prefix{1.0, ""} : prefix_of(about);
+  const double of_prefix = about / prefix.factor;
+  if (of_prefix > 1e5 || (about > 0.0 && of_prefix < 1e-3)) return fmt::format("{:.3g} J", joule);
+  const int decimals = of_prefix >= 1000.0 ? 0 : of_prefix >= 100.0 ? 1 : 2;
+  const std::string text = fmt::format("{:.{}f}", joule / prefix.factor, decimals);
+  return fmt::format("{} {}J", text, prefix.name);
+}
+
+std::string time_label(double t, double interval) {
+  constexpr int finest = 9;
+  int decimals = 3;
+  const auto told = [&](double value) {
+    const double unit = std::pow(10.0, -decimals);
+    return std::abs(value - unit * std::round(value / unit)) <= 1e-6 * unit;
+  };
+  if (interval > 0.0) {
+    while (decimals < finest && interval < 2.0 * std::pow(10.0, -decimals))
+      ++decimals;
+  } else {
+    while (decimals < finest && !told(t) && t < 1.0)
+      ++decimals;
+  }
+  return fmt::format("{:.{}f} s", t, decimals);
+}
+
+}  // namespace wuerfel::internal

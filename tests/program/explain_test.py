@@ -1,0 +1,154 @@
+"""check --margin --ranges --bodies, and explain: answers, their JSON, bad input."""
+import json
+import math
+import os
+
+from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main
+
+G = 9.81
+TOWER = {"version": 1, "plane": [{"name": "floor", "point": [0, 0], "normal": [0, 1]}],
+         "cube": [{"name": f"c{i}", "position": [0.1 * (i % 2), 0.5 + i]} for i in range(4)]}
+RUBBING = {**TOWER, "material": {"friction": 0.6}}
+
+
+class Margins(ProgramTest):
+    def check(self, scene, *arguments, code=0):
+        return json.loads(self.expect(code, "check", self.scene(scene), "--json", *arguments).stdout)
+
+    def test_nothing_is_added_that_was_not_asked_for(self):
+        answer = self.check(TOWER)
+        for key in ("margin", "degree", "interfaces"):
+            self.assertNotIn(key, answer)
+        self.assertNotIn("min", answer["contacts"][0])
+
+    def test_all_margins(self):
+        margin = self.check(TOWER, "--margin")["margin"]
+        self.assertEqual(list(margin), ["tilt", "bodies", "smallest", "error", "weakest"])
+        self.assertEqual(margin["tilt"]["unit"], "rad")
+        self.assertEqual(margin["tilt"]["given"], {"left": 0.0, "right": 0.0})
+        self.assertGreater(margin["tilt"]["no_sliding"]["left"], 0.1)
+        top = margin["bodies"]["c3"]
+        self.assertAlmostEqual(top["shift"][0], -0.6, places=12)
+        self.assertAlmostEqual(top["shift"][1], 0.4, places=12)
+        self.assertIsNone(margin["bodies"]["c0"]["load"])  # no limit in the middle
+        self.assertAlmostEqual(top["lift"], G, places=8)
+        self.assertAlmostEqual(top["move"][1], 0.4, places=8)
+        self.assertEqual(margin["bodies"]["c0"]["move"], [None, None])
+        self.assertAlmostEqual(margin["smallest"], 0.4, places=12)
+        self.assertEqual(margin["weakest"], "c3")
+        self.assertLess(margin["error"], 1e-8)
+
+    def test_some_of_them(self):
+        scene = self.scene(TOWER)
+        for form in (("--margin", "tilt"), ("--margin=tilt",)):
+            margin = json.loads(self.expect(0, "check", scene, *form, "--json").stdout)["margin"]
+            self.assertEqual(list(margin), ["tilt", "error"])
+        margin = json.loads(self.expect(0, "check", "--json", "--margin", scene, "--bodies", "c1,c3").stdout)["margin"]
+        self.assertEqual(list(margin["bodies"]), ["c1", "c3"])
+        margin = self.check(TOWER, "--margin", "load,shift")["margin"]
+        self.assertEqual(sorted(margin["bodies"]["c0"]), ["lift", "load", "shift"])
+
+    def test_ranges(self):
+        wide = {"version": 1, "fixed": [{"name": f"s{i}", "size": 0.5, "position": [x, -0.25]} for i, x in enumerate((-1, 0, 1))],
+                "cube": [{"name": "beam", "size": [3, 0.5], "position": [0, 0.25], "mass": 2}]}
+        answer = self.check(wide, "--ranges")
+        self.assertEqual(answer["degree"], 4)
+        self.assertEqual(len(answer["interfaces"]), 3)
+        for contact in answer["contacts"]:
+            self.assertLessEqual(contact["min"], contact["force"] + 1e-9)
+            self.assertGreaterEqual(contact["max"], contact["force"] - 1e-9)
+            self.assertEqual(contact["max"] - contact["min"] < 1e-9, contact["unique"])
+        middle = next(f for f in answer["interfaces"] if "s1" in f["bodies"])
+        self.assertEqual(list(middle), ["bodies", "normal", "resultant", "range", "center", "center_range", "eccentricity"])
+        self.assertAlmostEqual(middle["range"][1], 2 * G, places=7)
+        self.assertAlmostEqual(middle["center_range"][0], -0.25, places=9)
+
+    def test_text(self):
+        text = self.expect(0, "check", self.scene(TOWER), "--margin", "--ranges").stdout
+        for words in ("degrees to the left", "no limit", "hyperstatic of degree 0", "shift of weight"):
+            self.assertIn(words, text)
+        text = self.expect(0, "check", self.scene(RUBBING), "--margin").stdout
+        self.assertIn("an equilibrium exists", text)
+        self.assertIn("not sufficient", text)
+
+    def test_friction_sets_a_limit_to_tilting(self):
+        tilt = self.check(RUBBING, "--margin", "tilt")["margin"]["tilt"]
+        self.assertLess(tilt["given"]["left"], math.atan(0.6) + 1e-9)
+
+    def test_what_moves_has_none(self):
+        done = self.expect(1, "check", self.scene(LANDING), "--margin", "--json")
+        self.assertNotIn("margin", json.loads(done.stdout))
+        self.assertIn("this one moves", done.stderr)
+
+    def test_names_that_are_not_there(self):
+        scene = self.scene(TOWER)
+        self.assertIn("there is no cube 'd1'; did you mean", self.expect(2, "check", scene, "--margin", "--bodies", "d1").stderr)
+        self.assertIn("floor", self.expect(2, "check", scene, "--ranges", "--bodies", "floor").stderr)
+        self.assertIn("'tlit' is unknown", self.expect(2, "check", scene, "--margin", "tlit,load").stderr)
+        self.assertIn("does nothing", self.expect(0, "check", scene, "--bodies", "c1").stderr)
+
+
+class Explain(ProgramTest):
+    def explain(self, scene, *arguments, code=1):
+        return json.loads(self.expect(code, "explain", self.scene(scene), "--json", *arguments).stdout)
+
+    def test_a_falling_stack(self):
+        answer = self.explain(FALLING)
+        self.assertEqual(list(answer), ["verdict", "certificate", "causes", "mechanism", "fixes", "text"])
+        self.assertEqual(answer["verdict"], "falls")
+        self.assertGreater(answer["certificate"]["power"], 0)
+        self.assertGreater(answer["certificate"]["worst_closing"], -1e-9)
+        cause, = answer["causes"]
+        self.assertEqual((cause["part"], cause["on"]), (["b"], ["a"]))
+        self.assertAlmostEqual(cause["outside"], 0.1, places=9)
+        self.assertEqual(cause["corner"], [0.5, 1.0])
+        for fix in answer["fixes"]:
+            self.assertEqual(fix["verified"], "stands")
+        move = next(f for f in answer["fixes"] if f["kind"] == "move")
+        self.assertAlmostEqual(move["distance"], -0.1, places=8)
+        self.assertIn("100 mm outside", answer["text"][0])
+
+    def test_every_fix_mends_the_scene(self):
+        answer = self.explain(FALLING)
+        move = next(f for f in answer["fixes"] if f["kind"] == "move")
+        for share, code in ((1.0, 0), (0.999, 1)):
+            x = 0.6 + share * move["distance"]
+            self.expect(code, "check", self.scene(FALLING), "--set", f"cube.b.position=[{x!r}, 1.5]")
+
+    def test_both_languages(self):
+        scene = self.scene(FALLING)
+        self.assertIn("tips to the right", self.expect(1, "explain", scene).stdout)
+        german = self.expect(1, "explain", scene, "--language", "de").stdout
+        self.assertIn("kippt nach rechts", german)
+        self.assertIn("0,9", self.expect(1, "explain", scene, "--language", "de").stdout)
+        self.assertIn("en or de", self.expect(2, "explain", scene, "--language", "fr").stderr)
+
+    def test_what_stands_and_what_moves(self):
+        answer = self.explain(STANDING, code=0)
+        self.assertEqual((answer["causes"], answer["certificate"]), ([], None))
+        self.assertIn("It stands.", answer["text"])
+        self.assertIn("moving from the start: a", self.expect(1, "explain", self.scene(FLYING)).stdout)
+
+    def test_facts_where_something_rubs(self):
+        answer = self.explain(RUBBING, code=0)
+        self.assertEqual(answer["facts"], {"equilibrium_exists": True, "acceleration_zero": True})
+
+    def test_every_shipped_scene_is_explained(self):
+        folder = os.environ["SCENES"]
+        for name in sorted(os.listdir(folder)):
+            if not name.endswith(".toml"):
+                continue
+            for language in ("en", "de"):
+                with self.subTest(name=name, language=language):
+                    done = self.call("explain", os.path.join(folder, name), "--language", language)
+                    self.assertIn(done.returncode, (0, 1), done.stderr)
+                    self.assertGreater(len(done.stdout), 10)
+                    self.assertNotIn("{", done.stdout)
+
+    def test_check_names_the_first_cause(self):
+        text = self.expect(1, "check", self.scene(FALLING)).stdout
+        self.assertIn("b tips to the right over the corner of a: its centre of mass is 100 mm outside.", text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+/// Stacks whose margins are known in closed form.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "tests/support/scenes.h"
+
+namespace wuerfel::test {
+
+inline constexpr double g = 9.81;
+
+/// Unit cubes that overhang a table's edge at 0, the longest possible times 1 + eps: with n - i cubes
+/// from cube i on upwards the centre of these lies eps / 2 beyond the edge below.
+inline Scene harmonic(int n, double eps) {
+  Scene scene;
+  scene.fixed.push_back({"table", {50.0, 1.0}, {-25.0, -0.5}, 0.0, {}});
+  double x = 0.0;
+  for (int i = 0; i < n; ++i) {
+    x += (1.0 + eps) / (2.0 * (n - i));
+    scene.cubes.push_back(cube("b" + std::to_string(i), {x - 0.5, i + 0.5}));
+  }
+  return scene;
+}
+
+inline Scene with_friction(Scene scene, double mu) {
+  for (SceneCube& c : scene.cubes)
+    c.material.friction = mu;
+  for (ScenePlane& p : scene.planes)
+    p.material.friction = mu;
+  for (SceneFixed& f : scene.fixed)
+    f.material.friction = mu;
+  return scene;
+}
+
+inline Scene mirrored(Scene scene) {
+  for (SceneCube& c : scene.cubes) {
+    c.position.x() = -c.position.x();
+    c.angle = -c.angle;
+  }
+  for (SceneFixed& f : scene.fixed) {
+    f.position.x() = -f.position.x();
+    f.angle = -f.angle;
+  }
+  for (ScenePlane& p : scene.planes) {
+    p.point.x() = -p.point.x();
+    p.normal.x() = -p.normal.x();
+  }
+  return scene;
+}
+
+inline Scene longer(Scene scene, double times) {
+  for (SceneCube& c : scene.cubes) {
+    c.position *= times;
+    c.size *= times;
+  }
+  for (SceneFixed& f : scene.fixed) {
+    f.position *= times;
+    f.size *= times;
+  }
+  for (ScenePlane& p : scene.planes)
+    p.point *= times;
+  return scene;
+}
+
+inline Scene heavier(Scene scene, double times) {
+  for (SceneCube& c : scene.cubes)
+    c.mass *= times;
+  return scene;
+}
+
+}  // namespace wuerfel::test

@@ -1,0 +1,206 @@
+// Margins against closed forms, and how they scale.
+#include "core/statics/margins.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/reference_case.h"
+#include "tests/support/stacks.h"
+
+namespace wuerfel::test {
+namespace {
+
+constexpr double exact = 1e-9;          // relative
+constexpr double exact_length = 1e-12;  // m
+
+StillScene still(const Scene& scene) { return still_scene(scene, {}); }
+
+Margins margins(const Scene& scene, const MarginRequest& request = {true, true, true, false, {}}) {
+  return find_margins(still(scene), {}, request);
+}
+
+LoadRange shift_of_top(const Scene& scene) {
+  const int top = static_cast<int>(scene.cubes.size()) - 1;
+  return margins(scene, {false, false, true, false, {top}}).bodies.front().shift;
+}
+
+LoadRange load_on_top(const Scene& scene) {
+  const auto height = [](const SceneCube& c) { return c.position.y(); };
+  const int top =
+      static_cast<int>(std::ranges::max_element(scene.cubes, {}, height) - scene.cubes.begin());
+  return margins(scene, {false, true, false, false, {top}}).bodies.front().load;
+}
+
+TEST(Margins, ABlockMayBeTiltedByItsWidthOverItsHeight) {
+  for (const Vec2& size : {Vec2(1.0, 1.0), Vec2(0.3, 2.0), Vec2(5.0, 0.7)}) {
+    const Scene block = on_floor({sized_cube("a", {0.0, 0.5 * size.y()}, size)});
+    const double slim = size.x() / size.y();
+    const LoadRange tilt = tilt_range(still(block), Sliding::none);
+    EXPECT_NEAR(tilt.high, slim, exact * slim);
+    EXPECT_NEAR(tilt.low, -slim, exact * slim);
+    for (const double mu : {0.1, 0.6, 3.0, 20.0}) {
+      const double most = std::min(mu, slim);
+      EXPECT_NEAR(tilt_range(still(with_friction(block, mu)), Sliding::given).high, most,
+                  exact * most);
+    }
+    EXPECT_EQ(tilt_range(still(block), Sliding::given).high, 0.0);
+  }
+}
+
+TEST(Margins, ATowerMayBeTiltedByOneOverItsHeight) {
+  for (const int n : {1, 2, 5, 10, 100}) {
+    const LoadRange tilt = tilt_range(still(on_floor(leaning_tower(n, 0.0))), Sliding::none);
+    EXPECT_NEAR(tilt.high, 1.0 / n, exact / n) << n;
+    EXPECT_NEAR(tilt.low, -1.0 / n, exact / n) << n;
+  }
+}
+
+TEST(Margins, TheTopOfAHarmonicStackMayShiftByHalfOfWhatItIsShortBy) {
+  for (const double eps : {1e-2, 1e-4, 1e-6}) {
+    const LoadRange shift = shift_of_top(harmonic(10, -eps));
+    EXPECT_NEAR(shift.high, 0.5 * eps, exact_length) << eps;
+    EXPECT_NEAR(shift.low, -0.5, exact_length);
+  }
+}
+
+TEST(Margins, ALoadOnAHarmonicStackTipsTheInterfaceThatIsFirst) {
+  for (const double eps : {1e-2, 1e-4, 1e-6}) {
+    const int n = 10;
+    const Scene scene = harmonic(n, -eps);
+    const long double top = scene.cubes.back().position.x();
+    long double least = INFINITY;
+    long double sum = 0.0L;
+    for (int i = 1; i <= n; ++i) {  // i cubes above an edge
+      sum += scene.cubes[n - i].position.x();
+      const long double edge = i == n ? 0.0L : scene.cubes[n - i - 1].position.x() + 0.5L;
+      if (top > edge) least = std::min(least, i * 9.81L * (edge - sum / i) / (top - edge));
+    }
+    const LoadRange load = load_on_top(scene);
+    EXPECT_NEAR(load.high, static_cast<double>(least), exact * static_cast<double>(least)) << eps;
+    EXPECT_NEAR(load.low, -g, exact * g);  // lifts the top block off
+  }
+}
+
+// [Paterson, Zwick 2009]: a diamond of m needs 2^m - m^2 - 1 weights on its top, but no less than
+// what lifts the top itself.
+TEST(Margins, DiamondsNeedTheLoadOfPatersonAndZwick) {
+  const auto weights = [](int m) {
+    const ReferenceCase diamond = read_reference_case("pz_diamond" + std::to_string(m));
+    return load_on_top(diamond.scene).low / (g * diamond.scene.cubes.front().mass);
+  };
+  EXPECT_NEAR(weights(2), -1.0, exact);
+  EXPECT_NEAR(weights(3), -1.0, exact);
+  EXPECT_NEAR(weights(4), -1.0, exact);
+  EXPECT_NEAR(weights(5), 6.0, 6.0 * exact);
+}
+
+TEST(Margins, AWallWithFrictionMayBeTiltedByElevenOverTwentyOne) {
+  const LoadRange tilt =
+      tilt_range(still(shipped_scene("wall", {"material.friction=0.6"})), Sliding::given);
+  EXPECT_NEAR(tilt.high, 11.0 / 21.0, exact);
+  EXPECT_NEAR(tilt.low, -11.0 / 21.0, exact);
+}
+
+TEST(Margins, AKnifeEdgeHasNone) {
+  const ReferenceCase wall = read_reference_case("hyper_wall_3x3");
+  const Margins found = margins(wall.scene);
+  ASSERT_TRUE(found.smallest);
+  EXPECT_EQ(*found.smallest, 0.0);
+  EXPECT_EQ(shift_of_top(wall.scene).low, 0.0);
+  EXPECT_NEAR(shift_of_top(wall.scene).high, 0.5, exact_length);
+}
+
+TEST(Margins, WhatFallsHasTheShiftThatMendsIt) {
+  const Scene scene = harmonic(5, 1e-3);
+  EXPECT_NEAR(shift_of_top(scene).high, -5e-4 * 5.0, 1e-2);  // the deepest interface decides
+  EXPECT_LT(*margins(scene).smallest, 0.0);
+}
+
+TEST(Margins, WhatFallsFreelyHasNone) {
+  const Margins found = margins(on_floor({cube("a", {0.0, 3.0})}));
+  EXPECT_FALSE(found.tilt);
+  EXPECT_FALSE(found.smallest);
+  EXPECT_TRUE(is_empty(found.bodies.front().shift));
+}
+
+TEST(Margins, TheWeakestIsFoundWithoutAskingAll) {
+  for (const std::string name : {"overhang_stands", "fig1_stack_stands", "pyramid", "wall"}) {
+    const StillScene scene = still(shipped_scene(name));
+    const std::optional<Weakest> weakest = find_weakest(scene);
+    ASSERT_TRUE(weakest) << name;
+    const Margins all = find_margins(scene, {}, {false, false, true, false, {}});
+    EXPECT_NEAR(weakest->share, *all.smallest, exact * *all.smallest) << name;
+  }
+}
+
+// How far a cube can be moved: to the edge of what carries it, or to its neighbour.
+TEST(Margins, AMoveEndsAtTheEdgeOrAtTheNeighbour) {
+  Scene scene = on_floor(
+      {sized_cube("base", {0.0, 0.5}, {4.0, 1.0}), cube("a", {0.0, 1.5}), cube("b", {1.25, 1.5})});
+  const auto move = [&](int cube) { return move_range(still(scene), {}, cube); };
+  EXPECT_NEAR(move(1).low, -2.0, exact);
+  EXPECT_NEAR(move(1).high, 0.25, exact);
+  EXPECT_NEAR(move(2).low, -0.25, exact);
+  EXPECT_NEAR(move(2).high, 0.75, exact);
+  EXPECT_EQ(move(0).high, unbounded);
+  EXPECT_EQ(move(0).low, -unbounded);
+}
+
+struct Scaled {
+  LoadRange tilt, shift, load;
+};
+
+Scaled all_of(const Scene& scene, int cube) {
+  const Margins found = margins(scene, {false, true, true, false, {cube}});
+  return {tilt_range(still(scene), Sliding::none), found.bodies.front().shift,
+          found.bodies.front().load};
+}
+
+void expect_same(const LoadRange& a, const LoadRange& b, double times = 1.0) {
+  ASSERT_EQ(is_empty(a), is_empty(b));
+  for (const auto end : {&LoadRange::low, &LoadRange::high}) {
+    if (!std::isfinite(a.*end)) {
+      EXPECT_EQ(a.*end, b.*end);
+      continue;
+    }
+    EXPECT_NEAR(a.*end * times, b.*end, exact * times * (1.0 + std::abs(a.*end)));
+  }
+}
+
+class MarginScaling : public testing::TestWithParam<std::string> {};
+
+TEST_P(MarginScaling, MirrorsMassesAndLengths) {
+  const Scene scene = read_reference_case(GetParam()).scene;
+  for (int cube = 0; cube < static_cast<int>(scene.cubes.size()); cube += 2) {
+    const Scaled as_is = all_of(scene, cube);
+    const Scaled mirror = all_of(mirrored(scene), cube);
+    expect_same({-mirror.tilt.high, -mirror.tilt.low}, as_is.tilt);
+    expect_same({-mirror.shift.high, -mirror.shift.low}, as_is.shift);
+    expect_same(mirror.load, as_is.load);
+    const Scaled heavy = all_of(heavier(scene, 2.0), cube);
+    expect_same(as_is.tilt, heavy.tilt);
+    expect_same(as_is.shift, heavy.shift);
+    expect_same(as_is.load, heavy.load, 2.0);
+    const Scaled large = all_of(longer(scene, 10.0), cube);
+    expect_same(as_is.tilt, large.tilt);
+    expect_same(as_is.shift, large.shift, 10.0);
+    expect_same(as_is.load, large.load);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference,
+                         MarginScaling,
+                         testing::Values("harmonic_N5_minus1em4",
+                                         "harmonic_N5_plus1em2",
+                                         "pz_triangle3_floor",
+                                         "tower_unequal_masses",
+                                         "hyper_beam_clipped",
+                                         "random_stack_02",
+                                         "random_stack_05",
+                                         "massratio_tower10"),
+                         [](const auto& test) { return test_name(test.param); });
+
+}  // namespace
+}  // namespace wuerfel::test

@@ -1,0 +1,126 @@
+// Ranges of forces: as many as have a width as there are forces that are not the only ones possible.
+#include "core/statics/ranges.h"
+
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/reference_case.h"
+#include "tests/support/stacks.h"
+
+namespace wuerfel::test {
+namespace {
+
+constexpr double exact = 1e-9;  // of the weight
+
+class Ranges : public testing::TestWithParam<std::string> {};
+
+TEST_P(Ranges, HaveAWidthWhereAForceIsNotTheOnlyOne) {
+  const ReferenceCase reference = read_reference_case(GetParam());
+  const StillScene still = still_scene(reference.scene, {});
+  const ForceRanges ranges = find_ranges(still, {{}, false});
+  const double weight = reference.weight();
+  std::size_t k = 0;
+  for (const IslandForces& of : still.found.islands) {
+    for (std::size_t i = 0; i < of.island.contacts.size(); ++i, ++k) {
+      const LoadRange& range = ranges.contacts[k];
+      ASSERT_FALSE(is_empty(range)) << k;
+      EXPECT_EQ(range.high - range.low <= exact * weight, of.forces.unique[i] != 0) << k;
+      EXPECT_GE(of.forces.force[i], range.low - exact * weight) << k;
+      EXPECT_LE(of.forces.force[i], range.high + exact * weight) << k;
+    }
+  }
+  EXPECT_EQ(k, ranges.contacts.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference,
+                         Ranges,
+                         testing::ValuesIn(reference_case_names("qp_geometry",
+                                                                {"hyper_", "pz_n", "pz_triangle",
+                                                                 "pz_diamond2", "pz_diamond3",
+                                                                 "harmonic_N5", "tower_5"})),
+                         [](const auto& test) { return test_name(test.param); });
+
+TEST(ForceRanges, HaveTheDegreesOfTheReferenceCases) {
+  const std::map<std::string, int> degrees{{"pz_n3_overhang1_exact", 0},  {"pz_n4_stands_1em2", 2},
+                                           {"pz_n5_stands_1em2", 2},      {"hyper_beam_3tips", 1},
+                                           {"hyper_beam_5tips_rider", 3}, {"hyper_wall_3x3", 6},
+                                           {"hyper_wall_5x4", 20},        {"hyper_vgroove", 1}};
+  for (const auto& [name, degree] : degrees)
+    EXPECT_EQ(find_ranges(still_scene(read_reference_case(name).scene, {})).degree, degree) << name;
+}
+
+TEST(ForceRanges, OfABeamOnThreeTips) {
+  const ReferenceCase beam = read_reference_case("hyper_beam_3tips");
+  const ForceRanges ranges = find_ranges(still_scene(beam.scene, {}));
+  const double weight = beam.weight();
+  ASSERT_EQ(ranges.interfaces.size(), 3U);
+  for (const Interface& tip : ranges.interfaces) {
+    const bool middle = std::abs(tip.middle.x()) < 1e-9;
+    EXPECT_NEAR(tip.force_range.low, 0.0, exact * weight);
+    EXPECT_NEAR(tip.force_range.high, middle ? weight : 0.5 * weight, exact * weight);
+    EXPECT_FALSE(tip.eccentricity);  // a corner has no length
+  }
+}
+
+TEST(ForceRanges, OfAFaceHaveAResultantAndACenter) {
+  const ForceRanges ranges = find_ranges(still_scene(on_floor(leaning_tower(3, 0.25)), {}));
+  ASSERT_EQ(ranges.interfaces.size(), 3U);
+  EXPECT_EQ(ranges.degree, 0);
+  for (const Interface& face : ranges.interfaces) {
+    ASSERT_TRUE(face.center && face.eccentricity);
+    const double height = face.center->y();
+    const double above = 3.0 - height;
+    EXPECT_NEAR(face.force, above * g, exact * g);
+    // The centre of what is above: cubes `height` .. 2 at 0.25 times their number.
+    EXPECT_NEAR(face.center->x(), 0.25 * 0.5 * (height + 2.0), 1e-12);
+    EXPECT_NEAR(face.eccentricity.value(),
+                std::abs(face.center->x() - face.middle.x()) / (0.5 * face.length), 1e-12);
+    EXPECT_EQ(face.center_range.low, face.center_range.high);
+  }
+}
+
+// A cube on two supports of unequal height of friction: the table may push on either side.
+TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
+  const Scene scene = with_friction(on_floor({cube("a", {0.0, 0.5})}), 0.5);
+  const ForceRanges ranges = find_ranges(still_scene(scene, {}));
+  ASSERT_EQ(ranges.interfaces.size(), 1U);
+  const Interface& face = ranges.interfaces.front();
+  // Self-stress along the floor moves nothing along the normal.
+  EXPECT_NEAR(face.force_range.low, g, exact * g);
+  EXPECT_NEAR(face.force_range.high, g, exact * g);
+  EXPECT_NEAR(face.center_range.low, 0.0, exact);
+  EXPECT_NEAR(face.center_range.high, 0.0, exact);
+  EXPECT_EQ(ranges.degree, 1);
+}
+
+// In a groove the forces of the flanks are a family: the center of pressure runs over the face.
+TEST(ForceRanges, TheCenterOfPressureHasARange) {
+  const ForceRanges ranges =
+      find_ranges(still_scene(read_reference_case("hyper_wall_3x3").scene, {}));
+  int wide = 0;
+  for (const Interface& face : ranges.interfaces) {
+    EXPECT_LE(face.center_range.low, face.center_range.high);
+    EXPECT_GE(face.center_range.low, -0.5 * face.length - 1e-9);
+    EXPECT_LE(face.center_range.high, 0.5 * face.length + 1e-9);
+    wide += face.center_range.high - face.center_range.low > 1e-6 ? 1 : 0;
+  }
+  EXPECT_GT(wide, 0);
+}
+
+TEST(ForceRanges, NeedNoProgramWhereAForceIsTheOnlyOne) {
+  for (const std::string name :
+       {"hyper_beam_5tips_rider", "pz_n4_stands_1em2", "pz_n4_falls_1em2"}) {
+    const StillScene still = still_scene(read_reference_case(name).scene, {});
+    const ForceRanges skipped = find_ranges(still, {{}, true});
+    const ForceRanges asked = find_ranges(still, {{}, false});
+    for (std::size_t k = 0; k < asked.contacts.size(); ++k) {
+      EXPECT_NEAR(skipped.contacts[k].low, asked.contacts[k].low, 1e-8) << name << k;
+      EXPECT_NEAR(skipped.contacts[k].high, asked.contacts[k].high, 1e-8) << name << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace wuerfel::test
