@@ -61,7 +61,11 @@ INSTANTIATE_TEST_SUITE_P(Shipped,
                                          "overhang_falls",
                                          "tilted_drop",
                                          "ladder",
-                                         "demo"),
+                                         "demo_frictionless",
+                                         "demo",
+                                         "jenga",
+                                         "rocking_block",
+                                         "incline_friction"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -19,17 +19,6 @@ constexpr double near_share = 1e-2;     ///< pairs that come nearer may be pushe
 constexpr double pressed_share = 1e-3;  ///< those that were pressed do within this distance
 constexpr double bent_share = 1e-11;    ///< what sides may miss after the first placement
 
-/// A state whose velocities are the displacement from one state to another: what rows times a displacement are
-/// read from.
-State displacement_of(const State& from, const State& to) {
-  State moved = from;
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    moved[i].velocity = to[i].position - from[i].position;
-    moved[i].spin = to[i].angle - from[i].angle;
-  }
-  return moved;
-}
-
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
   const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
@@ -111,6 +100,8 @@ void RattleStepper::place(Step& step) {
   std::vector<Island> islands;
   removal_.near().find_towards(step.state, near_share, contacts);
   find_islands(*system_, contacts, islands);
+  pose_boxes(*system_, stride_.start, way_.boxes);
+  way_.moved = stride_.start;
   for (const Island& island : islands)
     place_island(island, step);
 }
@@ -189,24 +180,34 @@ void RattleStepper::place_island(const Island& island, Step& step) {
   }
 }
 
+/// Takes the way of an island's cubes over.
+void RattleStepper::follow(const Island& island, const State& state) {
+  for (const int cube : island.cubes) {
+    const BodyState& from = stride_.start[cube];
+    const BodyState& to = state[cube];
+    way_.boxes[cube] = make_box(to.position, to.angle, system_->body(cube).size);
+    way_.moved[cube].velocity = to.position - from.position;
+    way_.moved[cube].spin = to.angle - from.angle;
+  }
+}
+
 /// The placement once more: directions stay those of the start, gaps are measured where the cubes have come. That
 /// makes the order two. Where these contradict one another the first place is as good a start for the clean-up.
 void RattleStepper::bend(const Island& island,
                          const std::vector<Twist>& targets,
                          const IslandSolution& straight,
                          Step& step) {
-  std::vector<Box> boxes;
-  pose_boxes(*system_, step.state, boxes);
-  const State moved = displacement_of(stride_.start, step.state);
+  follow(island, step.state);
   const bool rubbing = rubs(*system_, island);
   Island bent = island;
   bool missed = false;
   for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
     Contact& c = bent.contacts[k];
-    const Contact now = at_poses(*system_, boxes, c);
-    const ContactVelocity way = contact_velocity(*system_, moved, c);
+    const Contact now = at_poses(*system_, way_.boxes, c);
+    const ContactVelocity way = contact_velocity(*system_, way_.moved, c);
     const double gap = now.gap - (c.gap + gap_rate(c, way));
-    const double slip = rubbing ? slip_of(*system_, c, now) - slip_rate(*system_, moved, c) : 0.0;
+    const double slip =
+        rubbing ? slip_of(*system_, c, now) - slip_rate(*system_, way_.moved, c) : 0.0;
     missed = missed
              || (std::max(std::abs(gap), std::abs(slip)) > bent_share * contact_scale(*system_, c)
                  && (straight.forces[k] > 0.0 || now.gap < 0.0));

@@ -64,6 +64,7 @@ class RattleStepper {
 
  private:
   void place(Step& step);
+  void follow(const Island& island, const State& state);
   void place_island(const Island& island, Step& step);
   void bend(const Island& island,
             const std::vector<Twist>& targets,
@@ -90,6 +91,13 @@ class RattleStepper {
   double sway_ = 0.0;
   double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
   Stride stride_;
+  /// Where cubes have come in the first placement, and a state whose velocities are their displacements: what rows
+  /// times a displacement are read from.
+  struct Way {
+    std::vector<Box> boxes;
+    State moved;
+  };
+  Way way_;
   State flown_;                    ///< the end before the clean-up
   std::vector<Contact> cleaned_;   ///< contacts of the clean-up
   std::vector<Contact> contacts_;  ///< what touches at the end of the way
