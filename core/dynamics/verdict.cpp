@@ -12,6 +12,10 @@ namespace {
 
 /// Rounding of single numbers leaves this much of what should cancel.
 constexpr double bits = 4.0 * std::numeric_limits<double>::epsilon();
+/// A residual above this has been piled up by many of them.
+constexpr double piled_up = 1e-14;
+/// What falls by less than so many times what is uncertain may as well stand.
+constexpr double certain_times = 100.0;
 
 /// |a| + side |alpha| as a share of g, or of the scale in its place.
 double share_of(const Body& body, const Twist& a, double g) {
@@ -59,9 +63,9 @@ Unrest unrest_of(const System& system,
     if (!watched.empty() && watched[i] == 0) continue;
     const double share = share_of(system.body(i), found.accelerations[i], g);
     unrest.most = std::max(unrest.most, share);
-    unrest.certain = unrest.certain || (share >= falls_above && share > uncertain[i]);
+    unrest.certain = unrest.certain || (share >= falls_above && share > certain_times * uncertain[i]);
     // Where forces balance to their last bits nothing has piled up, however large they are.
-    if (found.residual > bits) unrest.uncertain = std::max(unrest.uncertain, uncertain[i]);
+    if (found.residual > piled_up) unrest.uncertain = std::max(unrest.uncertain, uncertain[i]);
   }
   return unrest;
 }
