@@ -85,6 +85,8 @@ class Recording {
     std::vector<SnapshotPoint> points;
     std::vector<SnapshotContact> contacts;
     std::vector<SnapshotSide> sides;
+    std::vector<SnapshotMass> masses;
+    std::vector<SnapshotLink> links;
     bool operator==(const Scenery&) const = default;
     [[nodiscard]] std::size_t bytes() const;
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
 namespace {
@@ -45,6 +46,14 @@ void add_push(const System& system,
   sum += {p, det(state[cube].position - center + arm, p)};
 }
 
+void add_push(const State& place, const Vec2& center, const Rod& rod, double impulse, Push& sum) {
+  const bool first = rod.i.body >= 0;
+  if (first == (rod.j.body >= 0)) return;
+  const RodEnd& end = first ? rod.i : rod.j;
+  const Vec2 p = (first ? impulse : -impulse) * rod_direction(rod, place);
+  sum += {p, det(place[end.body].position - center + held_place(end, place).arm, p)};
+}
+
 Push push_of(const System& system,
              const State& state,
              const Island& island,
@@ -57,6 +66,8 @@ Push push_of(const System& system,
     const Vec2 impulse = solution.forces[k] * c.normal + side * perp(c.normal);
     add_push(system, state, center, c, impulse, sum);
   }
+  for (std::size_t k = 0; k < solution.rods.size(); ++k)
+    add_push(state, center, system.rods[island.rods[k]], solution.rods[k], sum);
   return sum;
 }
 

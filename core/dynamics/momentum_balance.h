@@ -22,7 +22,10 @@ void add_push(const System& system,
               const Vec2& impulse,
               Push& sum);
 
-/// The same of all contacts of an island, with the forces (N), or impulses (N s), of a solution.
+/// The same of a rod or pin, whose multiplier it is.
+void add_push(const State& place, const Vec2& center, const Rod& rod, double impulse, Push& sum);
+
+/// The same of all contacts and rods of an island, with the forces (N), or impulses (N s), of a solution.
 Push push_of(const System& system,
              const State& state,
              const Island& island,

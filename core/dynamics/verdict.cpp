@@ -32,7 +32,7 @@ std::vector<double> uncertain_shares(const System& system, const InstantForces& 
     const auto add = [&](int cube, const Vec2& arm, const Vec2& force) {
       if (!system.is_cube(cube)) return;
       const Body& body = system.body(cube);
-      const Twist a{force / body.mass, det(arm, force) / body.inertia};
+      const Twist a{force / body.mass, body.inertia > 0.0 ? det(arm, force) / body.inertia : 0.0};
       shares[cube] += residual * share_of(body, a, g);
     };
     for (std::size_t k = 0; k < forces.size(); ++k) {
@@ -63,7 +63,8 @@ Unrest unrest_of(const System& system,
     if (!watched.empty() && watched[i] == 0) continue;
     const double share = share_of(system.body(i), found.accelerations[i], g);
     unrest.most = std::max(unrest.most, share);
-    unrest.certain = unrest.certain || (share >= falls_above && share > certain_times * uncertain[i]);
+    unrest.certain =
+        unrest.certain || (share >= falls_above && share > certain_times * uncertain[i]);
     // Where forces balance to their last bits nothing has piled up, however large they are.
     if (found.residual > piled_up) unrest.uncertain = std::max(unrest.uncertain, uncertain[i]);
   }

@@ -80,8 +80,10 @@ void Track::start(const State& state,
   if (events_.at_rest()) return;
   if (!(policy_.only_steps || events_.wedged() || stepping.until > t)) return;
   begin_steps(events_.state(), t);
-  until_ = policy_.only_steps ? std::numeric_limits<double>::infinity()
-                              : std::max(stepping.until, t + frame());
+  const bool settles = system_->rubs || system_->bounces;
+  until_ = !policy_.only_steps ? std::max(stepping.until, t + frame())
+           : settles           ? t + longest_step * frame()
+                               : std::numeric_limits<double>::infinity();
 }
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
@@ -211,7 +213,9 @@ void Track::hand_over(const State& state, double t) {
 void Track::step(double limit) {
   const std::size_t logged = book_.events.size();
   const State start = steps_->state();
-  const double end = steps_->advance(clock_, std::min(limit, until_), book_);
+  // Steps of a user's length are not cut where rest is looked for.
+  const double last = policy_.only_steps ? limit : std::min(limit, until_);
+  const double end = steps_->advance(clock_, last, book_);
   pieces_.push_back({MotionPiece::Kind::stepped,
                      clock_,
                      end - clock_,
@@ -226,7 +230,7 @@ void Track::step(double limit) {
 
 /// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
-  if (only_steps_) {
+  if (only_steps_ || policy_.only_steps) {
     until_ = (std::round(clock_ / frame()) + longest_step) * frame();
     stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_);
     return;

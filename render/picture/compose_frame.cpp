@@ -96,6 +96,8 @@ DrawList compose_frame(const Snapshot& snapshot,
   if (parts.has(Layer::sides)) add_sides(parts);
   if (parts.has(Layer::rods)) add_rods(parts);
   if (parts.has(Layer::rod_forces)) add_rod_forces(parts);
+  const bool shows_bodies = parts.has(Layer::cubes);
+  if (shows_bodies || parts.has(Layer::rods) || parts.has(Layer::rod_forces)) add_links(parts);
   if (parts.has(Layer::joints)) add_pressure(parts);
   if (parts.has(Layer::thrust)) add_thrust(parts);
   if (parts.has(Layer::normals)) add_normals(parts);

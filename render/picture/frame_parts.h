@@ -63,6 +63,7 @@ void add_sides(const FrameParts& parts);
 void add_rods(const FrameParts& parts);
 void add_rod_forces(const FrameParts& parts);
 void add_points(const FrameParts& parts);
+void add_links(const FrameParts& parts);
 void add_contacts(const FrameParts& parts);
 void add_normals(const FrameParts& parts);
 void add_pressure(const FrameParts& parts);

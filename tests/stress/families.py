@@ -5,6 +5,7 @@ import math
 from case import OVER_BUDGET, Case, Outcome
 from gallery import cube, gallery, scene
 from random_scenes import random_scene
+from rubbing import bounces, friction, momentum, random_rubbing, seams
 
 EPS = 2.0**-52
 GRAVITY = 9.81
@@ -234,6 +235,12 @@ def families(reference):
         Family("pile", "cubes in a bin", [10, 100], [10, 100, 300, 1000, 3000, 10000, 30000], pile),
         Family("random", "scenes", list(range(200)) + OVERLAPPED_ONCE, list(range(10000)), random_family, collection=True,
                known=("random 139", "random 1796", "random 2756", "random 3290", "random 8917")),
+        Family("friction", "coefficient of friction", [1e-12, 1e-6, 1e-3, 1.0], powers(-12, 6), friction, holds_to=1),
+        Family("restitution", "coefficient of restitution", [1e-12, 0.5, 1.0], [0.0, 1e-12, 1e-6, 1e-3, 0.1, 0.3, 0.5, 0.8, 0.9, 0.99, 0.999, 1.0], bounces),
+        Family("seams", "speed / (m/s)", powers(0, 3), powers(0, 6), seams),
+        Family("momentum", "cubes in space", [4, 16], [4, 9, 16, 36, 64, 100], momentum),
+        Family("random_rubbing", "scenes", list(range(30)), list(range(10000)), random_rubbing, collection=True,
+               known=("random_rubbing 16", "random_rubbing 40")),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle across a gap",)),
         Family("soak", "steps", [1e4], powers(4, 7), soak, patience=5),

@@ -19,7 +19,8 @@ namespace wuerfel {
 
 struct CanonicalForces {
   std::vector<double> multiplier;  ///< m
-  std::vector<bool> unique;        ///< one per contact: no other force is possible there
+  /// One per contact, then one per row of no contact: no other force is possible there.
+  std::vector<bool> unique;
   double misfit = 0.0;  ///< |s - G' l| / |s|; above 1e-8 the given multipliers are returned
 };
 

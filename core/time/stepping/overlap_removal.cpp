@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
@@ -75,17 +77,28 @@ std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
   find_islands(*system_, contacts, islands);
   std::vector<Restricted> parts;
   for (Island& island : islands) {
-    if (!overlaps(*system_, island, overlap_share)) continue;
+    if (!overlaps(*system_, island, overlap_share) && keeps_lengths(state, island.rods)) continue;
     parts.push_back(apart(std::move(island)));
     parts.back().farthest = std::max(displaced_share, displaced_times * left_) * scales_.length;
   }
   return parts;
 }
 
+bool OverlapRemoval::keeps_lengths(const State& state, std::span<const int> rods) const {
+  return std::ranges::all_of(
+      rods, [&](int rod) { return has_length(*system_, state, system_->rods[rod]); });
+}
+
+bool OverlapRemoval::keeps_lengths(const State& state) const {
+  return std::ranges::all_of(system_->rods,
+                             [&](const Rod& rod) { return has_length(*system_, state, rod); });
+}
+
 std::vector<Contact> OverlapRemoval::clean_up(State& state, Bookkeeping& book) {
   const auto find = [&](const Projection& so_far) {
     left_ = measure(so_far.state);
-    return left_ > overlap_share ? pushed_apart(so_far.state) : std::vector<Restricted>{};
+    const bool fits = left_ <= overlap_share && keeps_lengths(so_far.state);
+    return fits ? std::vector<Restricted>{} : pushed_apart(so_far.state);
   };
   const ProjectionPolicy policy{.overlap = overlap_share, .rounds = most_rounds};
   Projection clean = project_places(*system_, std::move(state), policy, find, work_->dynamics);

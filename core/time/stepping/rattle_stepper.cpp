@@ -8,6 +8,7 @@
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/time/stepping/close_gaps.h"
 #include "core/time/stepping/step_books.h"
 
@@ -49,6 +50,8 @@ double RattleStepper::longest_step(const State& state) const {
     thinnest = std::min(thinnest, body.smaller_side());
     if (system_->is_cube(i)) fastest = std::max(fastest, fastest_corner(body, state[i]));
   }
+  if (system_->cubes == system_->points)
+    thinnest = std::min(thinnest, scales_of(*system_, state).length);
   // h (v + g h) = thinnest / 2, both bodies of a pair moving.
   const double g = system_->gravity.norm();
   const double reach = 0.25 * thinnest;
@@ -135,6 +138,14 @@ void RattleStepper::fly_half(const Island& island, const IslandSolution& solutio
     if (solution.forces[k] > least)
       push(*system_, c, impulse_at(c, solution, k) / stride_.h, stride_.half);
   }
+  Push& held = stride_.held[island.cubes.front()];
+  held = {};
+  const Vec2 center = common_center(*system_, stride_.start);
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    const Rod& rod = system_->rods[island.rods[k]];
+    push(*system_, rod, solution.rods[k] / stride_.h, stride_.start, stride_.half);
+    add_push(stride_.start, center, rod, solution.rods[k] / stride_.h, held);
+  }
   for (const int cube : island.cubes) {
     state[cube].position = stride_.start[cube].position + stride_.h * stride_.half[cube].velocity;
     state[cube].angle = stride_.start[cube].angle + stride_.h * stride_.half[cube].spin;
@@ -151,10 +162,11 @@ void RattleStepper::note_pressed(const Island& island, const IslandSolution& sol
 }
 
 void RattleStepper::place_island(const Island& island, Step& step) {
-  // Where free flight touches nothing there is nothing to solve.
-  const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
-    return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
-  });
+  // Where free flight touches nothing and no rod holds there is nothing to solve.
+  const bool free =
+      island.rods.empty() && std::ranges::none_of(island.contacts, [&](const Contact& c) {
+        return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
+      });
   if (free) {
     ++step.book.cost.skipped_certificate;
     return;
@@ -180,6 +192,18 @@ void RattleStepper::place_island(const Island& island, Step& step) {
   }
 }
 
+/// Rods of an island measured where the cubes have come; whether they miss their lengths there.
+bool RattleStepper::bend_rods(const State& end, Island& bent) const {
+  bool missed = false;
+  for (const int number : bent.rods) {
+    const Rod& rod = system_->rods[number];
+    const double way = rod_excess(rod, stride_.start) + rod_change(rod, stride_.start, way_.moved);
+    bent.bends.push_back(rod_excess(rod, end) - way);
+    missed = missed || !has_length(*system_, end, rod);
+  }
+  return missed;
+}
+
 /// Takes the way of an island's cubes over.
 void RattleStepper::follow(const Island& island, const State& state) {
   for (const int cube : island.cubes) {
@@ -200,7 +224,7 @@ void RattleStepper::bend(const Island& island,
   follow(island, step.state);
   const bool rubbing = rubs(*system_, island);
   Island bent = island;
-  bool missed = false;
+  bool missed = bend_rods(step.state, bent);
   for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
     Contact& c = bent.contacts[k];
     const Contact now = at_poses(*system_, way_.boxes, c);
@@ -231,6 +255,8 @@ void RattleStepper::arrive(Step& step, double t) {
     step.state[i].spin = stride_.half[i].spin;
   }
   step.overlap = removal_.left();
+  if (!system_->rods.empty())
+    step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
   find_touching(step);
   State flown = step.state;
   keep_turning(*system_, cleaned_, flown_, step.state);
@@ -270,7 +296,9 @@ void RattleStepper::settle(const Push& change, const StepRecord& record, Bookkee
 Push RattleStepper::pushed() const {
   const Vec2 start = common_center(*system_, stride_.start);
   const Vec2 end = common_center(*system_, stride_.before);
-  Push sum;
+  Push sum = stride_.held_at_end;
+  for (const auto& [cube, push] : stride_.held)
+    sum += push;
   for (const auto& [id, blow] : stride_.blows) {
     add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
     add_push(*system_, stride_.before, end, blow.end, blow.second, sum);
@@ -303,15 +331,43 @@ void RattleStepper::strike_anew(Step& step) {
   for (const Contact& c : contacts_)
     near.push_back(c.id());
   std::ranges::sort(near);
-  for (auto& [id, blow] : stride_.blows) {
-    const bool bounces = system_->surface(blow.start.on, blow.start.from).restitution > 0.0;
-    if (!bounces || blow.first.isZero(0.0)
-        || closing_speed(*system_, stride_, blow.start) <= impact_steps
-        || !std::ranges::binary_search(near, id))
-      continue;
+  const auto bounces = [&](const Blow& blow) {
+    return system_->surface(blow.start.on, blow.start.from).restitution > 0.0
+           && closing_speed(*system_, stride_, blow.start) > impact_steps
+           && std::ranges::binary_search(near, blow.start.id());
+  };
+  const auto take_back = [&](Blow& blow) {
     push(*system_, blow.start, -blow.first, step.state);
     blow.first.setZero();
+  };
+  std::vector<Island> islands;
+  find_islands(*system_, acting(), islands);
+  for (const Island& island : islands) {
+    bool any = false;
+    for (const Contact& c : island.contacts) {
+      Blow& blow = stride_.blows.at(c.id());
+      if (!bounces(blow)) continue;
+      take_back(blow);
+      any = true;
+    }
+    // Without them others, as in a wedge, push too hard.
+    if (!any || !is_faster_than_free(island, step.state)) continue;
+    for (const Contact& c : island.contacts)
+      take_back(stride_.blows.at(c.id()));
   }
+}
+
+/// Whether an island has more energy in motion than if nothing had touched it since the start.
+bool RattleStepper::is_faster_than_free(const Island& island, const State& state) const {
+  double has = 0.0;
+  double free = 0.0;
+  for (const int cube : island.cubes) {
+    BodyState s = stride_.start[cube];
+    s.velocity += stride_.h * system_->gravity;
+    free += kinetic_energy(system_->body(cube), s);
+    has += kinetic_energy(system_->body(cube), state[cube]);
+  }
+  return has > free;
 }
 
 /// The impact law over all that touches, one island after the other.
@@ -319,6 +375,8 @@ void RattleStepper::hit(Step& step) {
   std::vector<Island> islands;
   find_islands(*system_, contacts_, islands);
   stride_.before = step.state;
+  stride_.held_at_end = {};
+  const Vec2 center = common_center(*system_, stride_.before);
   const double slow = impact_steps * stride_.scales.gravity * stride_.h;
   for (const Island& island : islands) {
     if (!closes(*system_, step.state, island)) continue;
@@ -333,6 +391,11 @@ void RattleStepper::hit(Step& step) {
       const Vec2 impulse = impulse_at(c, after, k);
       push(*system_, c, impulse, step.state);
       stride_.blows.at(c.id()).second = impulse;
+    }
+    for (std::size_t k = 0; k < island.rods.size(); ++k) {
+      const Rod& rod = system_->rods[island.rods[k]];
+      push(*system_, rod, after.rods[k], stride_.before, step.state);
+      add_push(stride_.before, center, rod, after.rods[k], stride_.held_at_end);
     }
   }
 }

@@ -66,6 +66,7 @@ class RattleStepper {
   void place(Step& step);
   void follow(const Island& island, const State& state);
   void place_island(const Island& island, Step& step);
+  [[nodiscard]] bool bend_rods(const State& end, Island& bent) const;
   void bend(const Island& island,
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
@@ -79,6 +80,7 @@ class RattleStepper {
   static void settle(const Push& change, const StepRecord& record, Bookkeeping& book);
   void find_touching(Step& step);
   void strike_anew(Step& step);
+  [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;
   void hit(Step& step);
   [[nodiscard]] double surplus_of(const StepRecord& record, const State& end) const;
   [[nodiscard]] double error_of(const State& state) const;

@@ -57,8 +57,13 @@ std::vector<StepComponent> components_of(const System& system, const Stride& str
   std::vector<Island> islands;
   find_islands(system, acting, islands);
   std::vector<StepComponent> components;
-  for (Island& island : islands)
+  for (Island& island : islands) {
+    const bool held =
+        std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
     components.push_back({std::move(island.cubes), {}, {}});
+    // A rod to a fixed place keeps nothing of the motion as it is.
+    if (held) components.back().fixed_normals = {Vec2::UnitX(), Vec2::UnitY()};
+  }
   const std::vector<int> component = component_of(components, stride.start.size());
   for (const auto& [id, blow] : stride.blows) {
     const Contact& c = blow.end;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/constraints/contact.h"
+#include "core/dynamics/push.h"
 #include "core/model/scales.h"
 
 namespace wuerfel {
@@ -29,6 +30,9 @@ struct Stride {
   State half;    ///< the start with the velocities between the halves
   State before;  ///< the end with the velocities before the second impulses
   std::map<ContactId, Blow> blows;
+  std::map<int, Push>
+      held{};          ///< by rods from fixed places in the first half, by the island's first cube
+  Push held_at_end{};  ///< likewise in the second
 };
 
 /// How fast the contact closes at the start, in units of g h.
