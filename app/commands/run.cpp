@@ -11,6 +11,7 @@
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
+#include "app/commands/letters.h"
 #include "app/commands/run_books.h"
 #include "app/output/program_file.h"
 #include "core/dynamics/missed_programs.h"
@@ -34,6 +35,17 @@ void note_idle_options(const RunOptions& asked, const Options& options, Notes& n
   }
   note_idle_picture_options(options, asked.picture.layers, notes);
   note_film_differences(asked.outputs, asked.picture, options.given("--encoder"), notes);
+}
+
+// A GIF counts hundredths of a second: 50 frames are the most that all programs show.
+RunOptions with_rate_of_gif(const RunOptions& asked, const Options& options, Notes& notes) {
+  constexpr double most = 50.0;
+  RunOptions suited = asked;
+  const auto is_gif = [](const std::string& name) { return has_suffix(name, ".gif"); };
+  if (options.given("--fps") || std::ranges::none_of(asked.outputs, is_gif)) return suited;
+  suited.rate.fps = most;
+  notes.add("a GIF shows at most 50 frames per second: all films have 50");
+  return suited;
 }
 
 /// What a run starts from.
@@ -121,7 +133,8 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
 
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&stop] { stop.check(); };
-  const MotionSource source{scene, asked.motion, plan.instants, plan.request, plan.back, stop};
+  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
+                            plan.request, plan.back,    stop};
   RunBooks books(asked, plan, source, animation);
   SummaryFile summary_file(asked.summary);
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
@@ -172,7 +185,11 @@ Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Note
   note_idle_options(asked, options, notes);
   const Scene scene = parse(text, asked.overrides);
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
-  return run({asked, scene, make_plan(asked, scene), since_start, stop}, form, notes);
+  if (!asked.outputs.empty() && asked.picture.size.height == 0)
+    throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
+  const RunOptions suited = with_rate_of_gif(asked, options, notes);
+  if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
+  return run({suited, scene, make_plan(suited, scene), since_start, stop}, form, notes);
 }
 
 void declare_outputs(Options& options, RunOptions& asked) {
@@ -183,6 +200,9 @@ void declare_outputs(Options& options, RunOptions& asked) {
                   asked.outputs.push_back(text);
                 });
   add_rate_options(options, asked.rate);
+  options.single("--hold", "S",
+                 "how long films show their last frame, in s [1 for .gif and .apng, else 0]",
+                 [&asked](const std::string& text) { asked.hold = parse_time("--hold", text); });
   options.single("--until", "T", "end in s [the scene's duration]",
                  [&asked](const std::string& text) { asked.until = parse_time("--until", text); });
   options.value("--sample", "T1,T2,..",

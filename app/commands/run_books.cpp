@@ -12,9 +12,9 @@ RunBooks::RunBooks(const RunOptions& asked,
                    const AnimationSettings& animation)
     : asked_(asked),
       scene_(source.scene),
-      pictures_(asked.outputs, animation),
+      pictures_(asked.outputs, animation, asked.hold),
       tables_(asked.states, asked.forces, asked.events),
-      taker_(plan.request, plan.back),
+      taker_(plan.request, plan.request, plan.back),
       film_(asked.picture, asked.rate, source, pictures_) {}
 
 void RunBooks::take(const Instant& instant, const Simulation& simulation, const Moment& moment) {

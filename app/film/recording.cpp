@@ -23,7 +23,7 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
     stop.check();
     progress.reached(simulation.reached());
   });
-  FrameTaker taker(request, back);
+  FrameTaker taker(request, passing, back);
   AccuracyWatch accuracy;
   bool looked = false;
   for (const Instant& instant : instants) {

@@ -27,6 +27,7 @@ struct MotionSource {
   MotionSettings motion;
   std::vector<Instant> instants;
   SnapshotRequest request;
+  SnapshotRequest passing;  ///< of frames that are only on the way to those asked for
   LookBack back;
   const StopSignal& stop;
   Progress::Style style = Progress::Style::silent;  ///< of how far it is

@@ -20,6 +20,7 @@ std::array<Vec2, points_per_cube> arms_of(const CubePoints& points) {
 /// The same for the same corner and side.
 std::int64_t name_of(const Contact& c) {
   constexpr int body_bits = 29;
+  static_assert(Box::corners <= 4, "two bits each for corner and side");
   return (((std::int64_t{c.on} << body_bits) | c.from) << 4) | (c.corner << 2) | c.side;
 }
 

@@ -14,8 +14,7 @@
 /// letter), or x, y, theta per cube, where the rods of a cube hold by themselves. Rods between bodies are
 /// equalities in both (rod_rows.h). Rows of contacts are those of contact_rows.h.
 ///
-/// References: Gauss, "Über ein neues allgemeines Grundgesetz der Mechanik", Crelle 4 (1829) 232;
-/// Moreau, "Unilateral contact and dry friction in finite freedom dynamics", CISM 302 (1988).
+/// [Gauss 1829] [Moreau 1988]
 #pragma once
 
 #include <span>

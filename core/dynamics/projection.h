@@ -14,6 +14,10 @@
 
 namespace wuerfel {
 
+/// Share of contact_scale: gaps and overlap smaller than this are none after a projection. Well inside
+/// touching_tolerance, well above rounding.
+inline constexpr double closed_gap = 1e-11;
+
 /// What cubes are projected onto: contacts as they are at the state, and how each restricts them.
 struct Restricted {
   Island island;

@@ -25,7 +25,7 @@ SweptBox swept_box(const Vec2& position, double angle, const Vec2& size, const B
   SweptBox swept;
   swept.box = make_box(position, angle, size);
   swept.bounds = {swept.box.corner(0), swept.box.corner(0)};
-  for (int k = 1; k < 4; ++k) {
+  for (int k = 1; k < Box::corners; ++k) {
     swept.bounds.low = swept.bounds.low.cwiseMin(swept.box.corner(k));
     swept.bounds.high = swept.bounds.high.cwiseMax(swept.box.corner(k));
   }

@@ -8,7 +8,7 @@
 /// slips, and zero of one that opens. (Not the least norm of the multipliers of two rows J_n +- mu
 /// J_t, which weighs tangential forces by 1 / mu.) Proximal iteration s_k+1 = s_k + s - G' l, with
 /// l = P_K(G z) at the minimum of 1/2 |z|^2 / rho + 1/2 |P_K(G z)|^2 - s_k' z by semismooth Newton
-/// steps. [Rockafellar 1976] as in NewtonMethod.
+/// steps. [Rockafellar 1976b], as in NewtonMethod.
 #pragma once
 
 #include <vector>

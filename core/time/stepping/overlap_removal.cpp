@@ -18,10 +18,9 @@ constexpr double square_of_fall = 1e-2;
 
 constexpr int most_rounds = 8;
 /// A clean-up looks at pairs nearer to each other than so many times the deepest overlap, but no
-/// nearer and no farther apart than these shares of the smaller side.
+/// nearer than this share of the smaller side, and no farther apart than near_share.
 constexpr double pushed_times = 20.0;
 constexpr double nearest_share = 1e-7;
-constexpr double farthest_share = 1e-2;
 /// Displacements beyond this share of the smallest side, and beyond so many times the overlap, are
 /// no clean-up any more.
 constexpr double displaced_share = 1e-2;
@@ -73,7 +72,7 @@ double OverlapRemoval::measure(const State& state) {
 std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
   std::vector<Contact> contacts;
   std::vector<Island> islands;
-  near_.find_at(state, std::clamp(pushed_times * left_, nearest_share, farthest_share), contacts);
+  near_.find_at(state, std::clamp(pushed_times * left_, nearest_share, near_share), contacts);
   find_islands(*system_, contacts, islands);
   std::vector<Restricted> parts;
   for (Island& island : islands) {
@@ -126,7 +125,7 @@ void OverlapRemoval::retreat(State& state) {
     left_ = measure(state);
     if (left_ <= overlap_share) return;
     const std::vector<char> overlaps = overlapping_cubes();
-    near_.find_at(state, farthest_share, contacts);
+    near_.find_at(state, near_share, contacts);
     find_islands(*system_, contacts, islands);
     const double share = k < most_halvings ? 0.5 : 0.0;
     for (const Island& island : islands) {

@@ -15,6 +15,10 @@ namespace wuerfel {
 /// Overlap that steps may leave, as a share of the smaller side of a pair.
 inline constexpr double overlap_share = 2e-10;
 
+/// Pairs that come nearer to each other than this share of the smaller side may be pushed into each
+/// other within a step.
+inline constexpr double near_share = 1e-2;
+
 /// How exactly the programs of a step are solved: it is as exact as its length allows, not as its
 /// programs are. Steps of Newton's method only have to get out of the overlap.
 inline constexpr ProgramTolerances step_tolerances{

@@ -16,9 +16,10 @@ namespace wuerfel {
 namespace {
 
 // Shares of the smaller side of a pair.
-constexpr double near_share = 1e-2;     ///< pairs that come nearer may be pushed into each other
-constexpr double pressed_share = 1e-3;  ///< those that were pressed do within this distance
-constexpr double bent_share = 1e-11;    ///< what sides may miss after the first placement
+constexpr double pressed_share =
+    1e-3;  ///< contacts that were pressed take part in the velocity program up to here
+constexpr double bent_share = 1e-11;  ///< what sides may miss after the first placement
+constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
@@ -63,6 +64,8 @@ Step RattleStepper::step(const State& state, double t, double h) {
   Step step;
   step.book.cost.steps = 1;
   stride_ = {h, scales_of(*system_, state), state, state, {}, {}};
+  stride_.rods_first.assign(system_->rods.size(), 0.0);
+  stride_.rods_second.assign(system_->rods.size(), 0.0);
   removal_.begin(state, h);
   place(step);
   flown_ = step.state;
@@ -78,6 +81,7 @@ Step RattleStepper::stop_short(Step tried, double t) {
   step.state = std::move(tried.state);
   for (auto& [id, blow] : stride_.blows)
     blow.second.setZero();
+  std::ranges::fill(stride_.rods_second, 0.0);
   removal_.retreat(step.state);
   arrive(step, t);
   return step;
@@ -138,13 +142,10 @@ void RattleStepper::fly_half(const Island& island, const IslandSolution& solutio
     if (solution.forces[k] > least)
       push(*system_, c, impulse_at(c, solution, k) / stride_.h, stride_.half);
   }
-  Push& held = stride_.held[island.cubes.front()];
-  held = {};
-  const Vec2 center = common_center(*system_, stride_.start);
   for (std::size_t k = 0; k < island.rods.size(); ++k) {
-    const Rod& rod = system_->rods[island.rods[k]];
-    push(*system_, rod, solution.rods[k] / stride_.h, stride_.start, stride_.half);
-    add_push(stride_.start, center, rod, solution.rods[k] / stride_.h, held);
+    double& impulse = stride_.rods_first[island.rods[k]];
+    impulse = solution.rods[k] / stride_.h;
+    push(*system_, system_->rods[island.rods[k]], impulse, stride_.start, stride_.half);
   }
   for (const int cube : island.cubes) {
     state[cube].position = stride_.start[cube].position + stride_.h * stride_.half[cube].velocity;
@@ -233,7 +234,7 @@ void RattleStepper::bend(const Island& island,
     const double slip =
         rubbing ? slip_of(*system_, c, now) - slip_rate(*system_, way_.moved, c) : 0.0;
     missed = missed
-             || (std::max(std::abs(gap), std::abs(slip)) > bent_share * contact_scale(*system_, c)
+             || (std::max(std::abs(gap), std::abs(slip)) > closed_gap * contact_scale(*system_, c)
                  && (straight.forces[k] > 0.0 || now.gap < 0.0));
     c.gap += gap;
     c.slip += slip;
@@ -242,10 +243,26 @@ void RattleStepper::bend(const Island& island,
     note_pressed(island, straight);
     return;
   }
-  const IslandSolution solution = apart(bent, targets, step);
-  const bool found = solution.status == QpStatus::optimal || solution.friction_inexact;
-  if (found) fly_half(island, solution, step.state);
-  note_pressed(island, found ? solution : straight);
+  IslandSolution placed = straight;
+  // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
+  for (int k = 0; k < most_bends && (k == 0 || bend_more(step.state, bent)); ++k) {
+    IslandSolution solution = apart(bent, targets, step);
+    if (solution.status != QpStatus::optimal && !solution.friction_inexact) break;
+    fly_half(island, solution, step.state);
+    placed = std::move(solution);
+  }
+  note_pressed(island, placed);
+}
+
+/// What rods of a bent island still miss where the cubes have come; whether any does.
+bool RattleStepper::bend_more(const State& end, Island& bent) const {
+  bool missed = false;
+  for (std::size_t k = 0; k < bent.rods.size(); ++k) {
+    const Rod& rod = system_->rods[bent.rods[k]];
+    bent.bends[k] += rod_excess(rod, end);
+    missed = missed || !has_length(*system_, end, rod);
+  }
+  return missed;
 }
 
 /// Velocities and books at the end of the way.
@@ -296,9 +313,14 @@ void RattleStepper::settle(const Push& change, const StepRecord& record, Bookkee
 Push RattleStepper::pushed() const {
   const Vec2 start = common_center(*system_, stride_.start);
   const Vec2 end = common_center(*system_, stride_.before);
-  Push sum = stride_.held_at_end;
-  for (const auto& [cube, push] : stride_.held)
-    sum += push;
+  Push sum;
+  for (std::size_t k = 0; k < system_->rods.size(); ++k) {
+    const Rod& rod = system_->rods[k];
+    if (k < stride_.rods_first.size())
+      add_push(stride_.start, start, rod, stride_.rods_first[k], sum);
+    if (k < stride_.rods_second.size())
+      add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
+  }
   for (const auto& [id, blow] : stride_.blows) {
     add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
     add_push(*system_, stride_.before, end, blow.end, blow.second, sum);
@@ -375,8 +397,6 @@ void RattleStepper::hit(Step& step) {
   std::vector<Island> islands;
   find_islands(*system_, contacts_, islands);
   stride_.before = step.state;
-  stride_.held_at_end = {};
-  const Vec2 center = common_center(*system_, stride_.before);
   const double slow = impact_steps * stride_.scales.gravity * stride_.h;
   for (const Island& island : islands) {
     if (!closes(*system_, step.state, island)) continue;
@@ -393,9 +413,8 @@ void RattleStepper::hit(Step& step) {
       stride_.blows.at(c.id()).second = impulse;
     }
     for (std::size_t k = 0; k < island.rods.size(); ++k) {
-      const Rod& rod = system_->rods[island.rods[k]];
-      push(*system_, rod, after.rods[k], stride_.before, step.state);
-      add_push(stride_.before, center, rod, after.rods[k], stride_.held_at_end);
+      stride_.rods_second[island.rods[k]] = after.rods[k];
+      push(*system_, system_->rods[island.rods[k]], after.rods[k], stride_.before, step.state);
     }
   }
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "core/constraints/contact.h"
-#include "core/dynamics/push.h"
 #include "core/model/scales.h"
 
 namespace wuerfel {
@@ -30,9 +30,8 @@ struct Stride {
   State half;    ///< the start with the velocities between the halves
   State before;  ///< the end with the velocities before the second impulses
   std::map<ContactId, Blow> blows;
-  std::map<int, Push>
-      held{};          ///< by rods from fixed places in the first half, by the island's first cube
-  Push held_at_end{};  ///< likewise in the second
+  std::vector<double> rods_first{};   ///< N s, per rod of the system, on place i, of the first half
+  std::vector<double> rods_second{};  ///< likewise, of the second
 };
 
 /// How fast the contact closes at the start, in units of g h.
