@@ -25,6 +25,8 @@ constexpr std::array commands{
             declare_compare},
     Command{"reproduce", "make a picture again from what it carries: exit 0 same, 1 differs",
             declare_reproduce},
+    Command{"replay", "solve programs again that a run could not: exit 0 solved, 3 not",
+            declare_replay},
     Command{"scenes", "list the scenes that come along, or print one", declare_scenes},
     Command{"schema", "print the JSON Schema of scenes", declare_schema},
     Command{"completions", "print what teaches bash, zsh or fish these commands and options",

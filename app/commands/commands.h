@@ -39,6 +39,7 @@ Action declare_explain(Options& options);
 Action declare_figure(Options& options);
 Action declare_compare(Options& options);
 Action declare_reproduce(Options& options);
+Action declare_replay(Options& options);
 Action declare_scenes(Options& options);
 Action declare_schema(Options& options);
 Action declare_completions(Options& options);

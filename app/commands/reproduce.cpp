@@ -77,6 +77,22 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
 }
 
+// What a picture says of itself is not drawn where it cannot be right: that would take memory and
+// time for nothing.
+void require_honest(const PngFile& picture,
+                    const StillOptions& made_with,
+                    const std::string& path) {
+  const auto [width, height] = made_with.picture.size;
+  if (picture.image.width() != width || picture.image.height() != height) {
+    throw UsageError(fmt::format("{}: it has {}x{} pixels and says that they are {}x{}", path,
+                                 picture.image.width(), picture.image.height(), width, height));
+  }
+  const std::size_t places = made_with.strip ? made_with.strip->columns * made_with.strip->rows : 1;
+  if (made_with.times.size() > places || !std::ranges::is_sorted(made_with.times)
+      || made_with.times.front() < 0.0)
+    throw UsageError(fmt::format("{}: its simulated times make no sense", path));
+}
+
 std::string report(const Comparison& comparison,
                    const std::string& made_by,
                    const ReproduceOptions& options) {
@@ -117,6 +133,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
   StillOptions still_options =
       parse_options(text_of(picture, options_key, options.picture), options.picture);
   still_options.times = parse_numbers(time_key, text_of(picture, time_key, options.picture));
+  require_honest(picture, still_options, options.picture);
   if (made_by != "wuerfel " WUERFEL_VERSION) {
     Notes().add(
         fmt::format("the picture was made by {}, this is wuerfel {}", made_by, WUERFEL_VERSION));

@@ -83,11 +83,11 @@ std::vector<Instant> with_looks(std::vector<Instant> instants, double average) {
   return merged(std::move(instants), looks);
 }
 
-void FrameTaker::notice_impacts(const Simulation& simulation) {
-  const std::vector<Event>& events = simulation.events();
-  for (; seen_ < events.size(); ++seen_)
+/// Up to time t.
+void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
+  for (; seen_ < events.size() && events[seen_].t <= t; ++seen_)
     if (events[seen_].impulse > 0.0) impacts_.push_back(events[seen_]);
-  const double oldest = simulation.time() - std::max(back_.average, back_.impacts);
+  const double oldest = t - std::max(back_.average, back_.impacts);
   while (!impacts_.empty() && impacts_.front().t < oldest)
     impacts_.pop_front();
 }
@@ -125,16 +125,18 @@ std::vector<SnapshotImpact> FrameTaker::marks(double t) const {
   return marks;
 }
 
-std::optional<Snapshot> FrameTaker::take(const Simulation& simulation, const Instant& instant) {
-  notice_impacts(simulation);
+std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
+                                         const Moment& moment,
+                                         const Instant& instant) {
+  notice_impacts(simulation.events(), moment.t);
   while (!looks_.empty() && looks_.front().first <= instant.t - back_.average * (1.0 - 1e-9))
     looks_.pop_front();
   if (!instant.frame) {
     if (instant.look && request_.joints)
-      looks_.emplace_back(instant.t, simulation.snapshot({.joints = true}).joints);
+      looks_.emplace_back(instant.t, simulation.snapshot(moment, {.joints = true}).joints);
     return std::nullopt;
   }
-  Snapshot snapshot = simulation.snapshot(instant.sample ? request_ : passing_);
+  Snapshot snapshot = simulation.snapshot(moment, instant.sample ? request_ : passing_);
   if (request_.joints && back_.average > 0.0) {
     looks_.emplace_back(instant.t, snapshot.joints);
     snapshot.joints = averaged(snapshot);

@@ -77,10 +77,14 @@ MotionSource source_of(const Scene& scene,
   SnapshotRequest passing = request;
   passing.unique = false;
   const LookBack back = look_back(picture, 0.0, options.rate.speed);
-  return {
-      scene,   options.motion, with_looks(std::move(instants), request.joints ? back.average : 0.0),
-      request, passing,        back,
-      stop};
+  return {scene,
+          options.motion,
+          with_looks(std::move(instants), request.joints ? back.average : 0.0),
+          request,
+          passing,
+          back,
+          stop,
+          Progress::style_for_stderr(false)};
 }
 
 // A picture is the frame of a film, and its forces are those of such a frame.
@@ -211,12 +215,13 @@ Still compose_still(const Scene& scene,
                     const StopSignal& stop,
                     Font& font) {
   StillOptions options = completed(scene, asked);
+  require_possible_steps(options.times.back(), options.motion);
   const std::vector<Instant> instants = instants_of(options, scene);
   const MotionSource source = source_of(scene, options, instants, stop);
   Recording motion(source);
   Still still;
   Snapshot first;
-  still.audit = source.show_frames([&](const Snapshot& snapshot) {
+  still.accuracy = source.show_frames([&](const Snapshot& snapshot) {
     if (first.boxes.empty()) first = snapshot;
     motion.add(snapshot);
   });

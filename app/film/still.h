@@ -39,7 +39,7 @@ struct Still {
   std::vector<PlacedList> cells;  ///< of a strip
   std::vector<PngText> origin;
   FigureTexts texts;  ///< of vector figures
-  Audit audit;
+  AccuracyWatch accuracy;
   int labels_left_out = 0;
 };
 
