@@ -148,6 +148,32 @@ struct SnapshotTrail {
   std::vector<Vec2> path;  ///< m
 };
 
+/// Why a scene falls and what would help, to be marked and told in a picture.
+struct SnapshotReason {
+  /// What a change of the scene that makes it stand looks like.
+  struct Fix {
+    std::vector<int> moved;     ///< indices into Snapshot::boxes
+    Vec2 way = Vec2::Zero();    ///< m, of what is moved
+    Vec2 point = Vec2::Zero();  ///< m, where a force acts
+    Vec2 force = Vec2::Zero();  ///< N
+    std::string label;
+  };
+  /// A cube that takes part in a motion.
+  struct Motion {
+    int box = -1;             ///< index into Snapshot::boxes
+    Vec2 way = Vec2::Zero();  ///< relative to the one that moves most
+  };
+  std::vector<std::string> headlines;  ///< what fails
+  std::vector<std::string> advice;     ///< what would help
+  std::vector<int> part;               ///< what fails: indices into Snapshot::boxes
+  std::optional<Vec2> centre;          ///< m, its centre of mass
+  std::optional<Vec2> corner;          ///< m, that it tips over
+  std::optional<Vec2> beside;          ///< m, at the corner's height below the centre
+  std::string label;                   ///< how far that is beside the support
+  std::vector<Motion> motion;          ///< where no part fails alone
+  std::vector<Fix> fixes;
+};
+
 struct Snapshot {
   double time = 0.0;  ///< s
   std::string title;
@@ -169,6 +195,7 @@ struct Snapshot {
   std::vector<SnapshotContact> contacts;  ///< filled only when asked for
   std::vector<SnapshotSide> sides;        ///< filled only when asked for
   std::vector<SnapshotTrail> trails;      ///< filled only when asked for
+  std::optional<SnapshotReason> reason;   ///< filled only when asked for
 };
 
 }  // namespace wuerfel

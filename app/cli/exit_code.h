@@ -12,6 +12,7 @@ enum class ExitCode {
   undecided = 3,  ///< or over the error budget
   internal = 4,
   output = 5,  ///< a file could not be written, or ffmpeg failed
+  again = 75,  ///< out of time with work left: call again (EX_TEMPFAIL of sysexits.h)
 };
 
 /// The command line asks for something that does not exist or makes no sense. Exit code 2.

@@ -40,11 +40,11 @@ void add_overrides(Options& options, std::vector<Text>& overrides) {
                 [&overrides](const Text& text) { overrides.push_back(text); });
 }
 
-int parse_threads(const Text& text) {
+int parse_threads(const char* option, const Text& text) {
   constexpr double most = 1024.0;
-  const double value = parse_number("--threads", text);
+  const double value = parse_number(option, text);
   if (value < 1.0 || value > most || value != std::floor(value))
-    throw UsageError(fmt::format("--threads: '{}' is no whole number of 1 to {}", text, most));
+    throw UsageError(fmt::format("{}: '{}' is no whole number of 1 to {}", option, text, most));
   return static_cast<int>(value);
 }
 
@@ -63,7 +63,12 @@ double parse_tolerance(const Text& text) {
 
 void add_threads_option(Options& options, int& threads) {
   options.single("--threads", "N", "scenes that are worked on at once [one per core]",
-                 [&threads](const Text& text) { threads = parse_threads(text); });
+                 [&threads](const Text& text) { threads = parse_threads("--threads", text); });
+}
+
+void add_jobs_option(Options& options, int& threads) {
+  options.single("-j,--jobs", "N", "cases that are worked on at once [one per core]",
+                 [&threads](const Text& text) { threads = parse_threads("--jobs", text); });
 }
 
 void add_scene(Options& options, SceneChoice& scene) {

@@ -38,6 +38,8 @@ void add_scene(Options& options, SceneChoice& scene);
 void add_scenes(Options& options,
                 std::vector<std::string>& sources,
                 std::vector<std::string>& overrides);
+/// -j, --jobs.
+void add_jobs_option(Options& options, int& threads);
 /// --threads.
 void add_threads_option(Options& options, int& threads);
 /// --formulation and --solver.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int bar_width = 30;
 constexpr double patience = 1.0;         // s: a log tells nothing of what is over at once
+constexpr double line_growth = 4.0;      // of the time until the next line of a log
 constexpr double redraw_interval = 0.1;  // s: faster than the eye needs would only cost time
 
 std::string_view environment(const char* name) {
@@ -24,6 +25,8 @@ std::string_view environment(const char* name) {
 }
 
 std::string clock_text(double seconds) {
+  constexpr double year = 365.0 * 24.0 * 3600.0;
+  if (seconds > year) return fmt::format("{:.2g} years", seconds / year);
   const long whole = static_cast<long>(seconds + 0.5);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
@@ -57,8 +60,11 @@ void Progress::reached(double done) {
     return;
   }
   const int tenth = static_cast<int>(10.0 * done / total_ + 1e-9);
-  if (tenth <= last_tenth_ || watch_.wall() < patience) return;
-  last_tenth_ = tenth;
+  const double elapsed = watch_.wall();
+  if ((tenth <= last_tenth_ && elapsed < next_line_) || elapsed < patience) return;
+  last_tenth_ = std::max(last_tenth_, tenth);
+  while (next_line_ <= elapsed)
+    next_line_ *= line_growth;
   say(text(done) + "\n");
 }
 

@@ -7,8 +7,8 @@
 
 namespace wuerfel {
 
-/// A bar on a terminal, one line per 10 % elsewhere (where
-/// it takes longer than a second), nothing where quiet is asked for.
+/// A bar on a terminal, one line per 10 % elsewhere (where it takes longer than a second), and more
+/// and more seldom where even that takes long; nothing where quiet is asked for.
 class Progress {
  public:
   enum class Style { silent, lines, bar, coloured_bar };
@@ -38,6 +38,7 @@ class Progress {
   Stopwatch watch_;
   double last_drawn_ = -1.0;  // s on the watch
   int last_tenth_ = 0;
+  double next_line_ = 10.0;  // s on the watch
 };
 
 }  // namespace wuerfel

@@ -70,7 +70,13 @@ std::string read_file(const std::string& path) {
                                suggestion(source, names)));
 }
 
-SceneText text_of(const std::string& source) {
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos;
+}
+
+}  // namespace
+
+SceneText scene_text(const std::string& source) {
   if (source == "-") return {"standard input", read_stream(std::cin, "standard input")};
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(source, ignored);
@@ -81,18 +87,12 @@ SceneText text_of(const std::string& source) {
   return {source, read_file(source)};
 }
 
-bool is_blank(const std::string& line) {
-  return line.find_first_not_of(" \t\r") == std::string::npos;
-}
-
-}  // namespace
-
 Scene parse(const SceneText& text, const std::vector<std::string>& overrides) {
   return parse_scene(text.text, text.name, overrides);
 }
 
 Scene read_scene(const SceneChoice& choice) {
-  return parse(text_of(choice.source), choice.overrides);
+  return parse(scene_text(choice.source), choice.overrides);
 }
 
 SceneQueue::SceneQueue(std::vector<std::string> sources) : sources_(std::move(sources)) {}
@@ -103,7 +103,7 @@ std::optional<SceneText> SceneQueue::next() {
   }
   if (next_ == sources_.size()) return std::nullopt;
   const std::string& source = sources_[next_++];
-  return source == "-" ? first_of_input() : text_of(source);
+  return source == "-" ? first_of_input() : scene_text(source);
 }
 
 // Where the first line is a whole scene, and another follows, there is one on every line.

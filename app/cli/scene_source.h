@@ -25,6 +25,9 @@ struct SceneText {
   std::string text;
 };
 
+/// The text behind a path, `-`, or the name of a shipped scene. Throws SceneError.
+SceneText scene_text(const std::string& source);
+
 /// Throws SceneError.
 Scene parse(const SceneText& text, const std::vector<std::string>& overrides);
 

@@ -12,7 +12,8 @@ extern "C" void note_signal(int signal) { noted_signal = signal; }
 
 }  // namespace
 
-StopSignal::StopSignal() {
+StopSignal::StopSignal(Ear ear) : ear_(ear) {
+  if (ear_ == Ear::deaf) return;
   struct sigaction action {};
   action.sa_handler = note_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
@@ -23,7 +24,7 @@ StopSignal::StopSignal() {
 }
 
 StopSignal::~StopSignal() {
-  for (std::size_t i = 0; i < handled.size(); ++i)
+  for (std::size_t i = 0; ear_ == Ear::open && i < handled.size(); ++i)
     sigaction(handled[i], &before_[i], nullptr);
 }
 

@@ -15,7 +15,11 @@ struct Interrupted {
 /// ignored). A second one of the same kind ends the program at once.
 class StopSignal {
  public:
-  StopSignal();
+  enum class Ear {
+    open,
+    deaf,  ///< leaves all signals as they are: where the program is another one's
+  };
+  explicit StopSignal(Ear ear = Ear::open);
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
@@ -24,6 +28,7 @@ class StopSignal {
   void check() const;
 
  private:
+  Ear ear_;
   static constexpr std::array<int, 3> handled{SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, 3> before_{};
 };

@@ -9,6 +9,7 @@
 
 #include "app/cli/option_groups.h"
 #include "app/commands/batch.h"
+#include "app/commands/check_json.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
 #include "app/commands/statics_options.h"
@@ -43,7 +44,9 @@ void add_rods(const Check& answer, Json& json) {
   json["pins"] = std::move(pins);
 }
 
-Json check_json(const Scene& scene, const Check& answer) {
+}  // namespace
+
+nlohmann::ordered_json check_json(const Scene& scene, const Check& answer) {
   Json accelerations = Json::object();
   for (std::size_t i = 0; i < answer.accelerations.size(); ++i) {
     const Twist& a = answer.accelerations[i];
@@ -74,6 +77,8 @@ Json check_json(const Scene& scene, const Check& answer) {
   json["kkt_residual"] = answer.kkt_residual;
   return json;
 }
+
+namespace {
 
 // The virtual motion that proves that there is no equilibrium, of the cubes that take part.
 std::string certificate_text(const Scene& scene, const Check& answer) {
@@ -135,7 +140,7 @@ std::string moving_at_start(const Scene& scene) {
 
 // The first part that fails, if any does alone.
 std::string cause_text(const Scene& scene, const MotionSettings& motion) {
-  const StillScene still = still_scene(scene, motion);
+  const StillScene still = stopped_scene(scene, motion);
   const std::optional<Cause> cause = first_cause(still);
   return cause ? cause_sentence(still, *cause, Language::en) + "\n" : "";
 }

@@ -22,6 +22,8 @@ struct Command {
   /// Declares the options of the command, and only those: the program starts faster without what
   /// the others have.
   Action (*declare)(Options& options);
+  /// Where the command is a family: its members, each with options of its own.
+  std::span<const Command> (*members)() = nullptr;
 };
 
 std::span<const Command> all_commands();
@@ -37,6 +39,7 @@ Action declare_explain(Options& options);
 Action declare_figure(Options& options);
 Action declare_compare(Options& options);
 Action declare_reproduce(Options& options);
+Action declare_replay(Options& options);
 Action declare_scenes(Options& options);
 Action declare_schema(Options& options);
 Action declare_completions(Options& options);

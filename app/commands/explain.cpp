@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/argument.h"
 #include "app/cli/option_groups.h"
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
+#include "app/film/still.h"
 #include "app/output/text_output.h"
 #include "app/output/why.h"
 #include "app/words/explanation.h"
@@ -17,8 +19,9 @@ namespace {
 
 struct ExplainOptions {
   SceneChoice scene;
-  MotionSettings motion;
+  StillOptions still;  ///< of the picture
   Language language = Language::en;
+  std::string output;
   bool json = false;
 };
 
@@ -36,11 +39,39 @@ ExitCode exit_code(Verdict verdict) {
   return ExitCode::internal;
 }
 
+// Throws UsageError where it has no name that a picture can have.
+void require_picture(const std::string& name) {
+  require_no_stdout("-o", name);
+  if (!has_suffix(name, ".png") && !vector_format(lower_case(name)))
+    throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
+}
+
+void draw(const Scene& scene, const ExplainOptions& asked) {
+  StillOptions options = asked.still;
+  options.picture.fit = Fit::instant;
+  options.why = asked.language;
+  TextOutput output(asked.output);
+  const StopSignal stop;
+  Font font;
+  const Still still = compose_still(scene, options, stop, font);
+  if (const auto format = vector_format(lower_case(asked.output)))
+    output.write(encode_vector_figure(still.page, *format, font, still.cells));
+  else
+    output.write(encode_png(draw_still(still), still.origin, options.picture.encoder));
+  output.finish();
+}
+
 ExitCode explain(const ExplainOptions& asked, const Options& options) {
-  const Scene scene = read_scene(asked.scene);
   Notes notes;
+  const bool drawn = options.given("--output");
+  if (!drawn)
+    note_idle(options, {"--size", "--theme"}, "without a picture, -o", notes);
+  else
+    require_picture(asked.output);
+  const Scene scene = read_scene(asked.scene);
   note_idle_solver(options, scene, notes);
-  const Explanation explanation = explain(scene, asked.motion);
+  const Explanation explanation = explain(scene, asked.still.motion);
+  if (drawn) draw(scene, asked);
   const std::vector<std::string> text = sentences(scene, explanation, asked.language);
   if (asked.json) {
     write_text("-", json_text(why_json(explanation, text), {true, false}));
@@ -57,10 +88,17 @@ ExitCode explain(const ExplainOptions& asked, const Options& options) {
 
 Action declare_explain(Options& options) {
   auto asked = std::make_shared<ExplainOptions>();
+  asked->still.picture.layers = {Layer::cubes, Layer::names, Layer::hud};
   add_scene(options, asked->scene);
   add_choice(options, "--language", "of the sentences", asked->language);
+  options.text("-o,--output", "FILE", "a picture of it: .png, sharp at any size .svg .pdf",
+               asked->output);
+  options.single(
+      "--size", "WxH", "pixels of the picture [1280x720]",
+      [asked](const std::string& text) { asked->still.picture.size = parse_pixel_size(text); });
+  add_choice(options, "--theme", "of the picture", asked->still.picture.theme);
   options.flag("--json", "print the answer as JSON", asked->json);
-  add_solver_options(options, asked->motion);
+  add_solver_options(options, asked->still.motion);
   return [asked, &options](const Stopwatch&) { return explain(*asked, options); };
 }
 

@@ -96,7 +96,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
     notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
   output.write(encode(still, asked, font));
   output.finish();
-  return verdict_on_accuracy(still.audit, 0.0, notes);
+  return still.accuracy.verdict(notes);
 }
 
 }  // namespace

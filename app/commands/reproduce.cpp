@@ -68,10 +68,29 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
   add_ghosts_option(options, made_with.ghosts);
+  options.single("--why", "LANGUAGE", "of `explain`", [&made_with](const std::string& language) {
+    made_with.why = parse_choice<Language>("--why", language);
+  });
   options.parse_line(text);
   return made_with;
 } catch (const UsageError& error) {
   throw UsageError(fmt::format("{}: its options are not understood: {}", path, error.what()));
+}
+
+// What a picture says of itself is not drawn where it cannot be right: that would take memory and
+// time for nothing.
+void require_honest(const PngFile& picture,
+                    const StillOptions& made_with,
+                    const std::string& path) {
+  const auto [width, height] = made_with.picture.size;
+  if (picture.image.width() != width || picture.image.height() != height) {
+    throw UsageError(fmt::format("{}: it has {}x{} pixels and says that they are {}x{}", path,
+                                 picture.image.width(), picture.image.height(), width, height));
+  }
+  const std::size_t places = made_with.strip ? made_with.strip->columns * made_with.strip->rows : 1;
+  if (made_with.times.size() > places || !std::ranges::is_sorted(made_with.times)
+      || made_with.times.front() < 0.0)
+    throw UsageError(fmt::format("{}: its simulated times make no sense", path));
 }
 
 std::string report(const Comparison& comparison,
@@ -114,6 +133,7 @@ ExitCode reproduce(const ReproduceOptions& options) {
   StillOptions still_options =
       parse_options(text_of(picture, options_key, options.picture), options.picture);
   still_options.times = parse_numbers(time_key, text_of(picture, time_key, options.picture));
+  require_honest(picture, still_options, options.picture);
   if (made_by != "wuerfel " WUERFEL_VERSION) {
     Notes().add(
         fmt::format("the picture was made by {}, this is wuerfel {}", made_by, WUERFEL_VERSION));
@@ -132,9 +152,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
     texts.width_mm = width_on_paper(picture.svg);
     const auto again =
         encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
-    if (!options.output.empty()) {
-      write_text(options.output, {reinterpret_cast<const char*>(again.data()), again.size()});
-    }
+    if (!options.output.empty())
+      write_text(options.output, std::string(again.begin(), again.end()));
     comparison = compare_texts(picture.svg, again);
   }
   write_text("-", report(comparison, made_by, options));

@@ -2,6 +2,7 @@
 #include <memory>
 #include <utility>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/argument.h"
@@ -11,11 +12,10 @@
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
 #include "app/commands/letters.h"
-#include "app/commands/run_plan.h"
-#include "app/film/film.h"
-#include "app/output/accuracy.h"
-#include "app/output/summary.h"
-#include "app/output/tables.h"
+#include "app/commands/run_books.h"
+#include "app/output/program_file.h"
+#include "core/dynamics/missed_programs.h"
+#include "core/time/restart_point.h"
 
 namespace wuerfel {
 
@@ -23,6 +23,7 @@ namespace {
 
 void note_idle_options(const RunOptions& asked, const Options& options, Notes& notes) {
   require_effect(options, asked.motion);
+  if (asked.checkpoint.empty()) note_idle(options, {"--every"}, "without --checkpoint", notes);
   if (asked.outputs.empty()) {
     note_idle(options,
               {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
@@ -53,71 +54,129 @@ struct Job {
   const Scene& scene;
   RunPlan plan;
   Stopwatch since_start;
-  const StopSignal& stop;
 };
 
-Answer run(const Job& job, AnswerForm form, Notes& notes) {
-  const auto& [asked, scene, plan, since_start, stop] = job;
-  Simulation simulation(scene, asked.motion);
-  simulation.set_pulse([&stop] { stop.check(); });
+/// Where the simulation begins: at the start, or where a checkpoint stopped it.
+Simulation begin(const Job& job, const Checkpoint& resumed) try {
+  if (resumed.restart_point.empty()) return {job.scene, job.asked.motion};
+  return {job.scene, job.asked.motion, resumed.restart_point};
+} catch (const RestartError& error) {
+  throw UsageError(fmt::format("--resume: {} is damaged: {}", job.asked.resume, error.what()));
+}
 
-  // What cannot be written is noticed before the long work.
-  AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
-  animation.while_waiting = [&stop] { stop.check(); };
-  PictureOutputs pictures(asked.outputs, animation, asked.hold);
-  Tables tables(asked.states, asked.forces, asked.events);
-  SummaryFile summary_file(asked.summary);
+/// What was seen before a checkpoint is seen again; returns up to where, as an instant's number.
+std::size_t repeat(const Job& job,
+                   const std::vector<Moment>& moments,
+                   const Simulation& simulation,
+                   RunBooks& books) {
+  std::size_t k = 0;
+  std::size_t next = 0;
+  const auto& instants = job.plan.instants;
+  for (; k < instants.size() && instants[k].t < simulation.time(); ++k) {
+    if (!is_seen(instants[k])) continue;
+    if (next == moments.size() || moments[next].t != instants[k].t) break;
+    books.take(instants[k], simulation, moments[next++]);
+  }
+  const bool all =
+      next == moments.size() && (k == instants.size() || instants[k].t >= simulation.time());
+  if (!all) {
+    throw UsageError(
+        fmt::format("--resume: {} was made at other times; --until, --fps, --speed and --sample "
+                    "have to be those "
+                    "of the run that it belongs to",
+                    job.asked.resume));
+  }
+  return k;
+}
 
-  // Simulate from one instant that somebody wants to see to the next.
-  RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
-  const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
-  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
-                            plan.request, plan.back,    stop};
-  FrameTaker taker(plan.request, plan.request, plan.back);
-  Film film(asked.picture, asked.rate, source, pictures);
-  std::vector<Sample> samples;
-  double worst_force = 0.0;  // residual
-  const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
-  Progress progress(style, "simulating", plan.end, "s");
-  for (const Instant& instant : plan.instants) {
-    stop.check();
+/// Simulates from one instant that somebody wants to see to the next.
+void simulate(const Job& job,
+              std::size_t first,
+              Simulation& simulation,
+              RunBooks& books,
+              CheckpointKeeper& keeper,
+              AccuracyWatch& accuracy,
+              Progress& progress) {
+  const bool strict = job.asked.strict;
+  double due = job.asked.every.value_or(job.plan.end / 10.0);
+  const double every = due;
+  for (std::size_t k = first; k < job.plan.instants.size(); ++k) {
+    const Instant& instant = job.plan.instants[k];
     simulation.advance_to(instant.t);
     progress.reached(instant.t);
-    if (instant.sample) samples.push_back({instant.t, simulation.states()});
-    std::optional<Snapshot> snapshot = taker.take(simulation, instant);
-    if (!snapshot) continue;
-    tables.add_states(instant.t, scene, simulation.states());
-    tables.add_forces(*snapshot);
-    if (!asked.forces.empty()) worst_force = std::max(worst_force, snapshot->force_residual);
-    // What only a table asked for is not seen.
-    if (!asked.picture.layers.has(Layer::contact_forces)) snapshot->forces.clear();
-    if (!pictures.empty()) film.add(std::move(*snapshot));
+    if (is_seen(instant)) {
+      const Moment moment = simulation.moment();
+      books.take(instant, simulation, moment);
+      keeper.add(moment);
+    }
+    if (instant.frame || instant.sample || strict) accuracy.look(simulation, books.worst_force());
+    if (strict && accuracy.first()) break;
+    if (instant.t < due) continue;
+    keeper.write(accuracy);
+    due = instant.t + every;
   }
-  progress.end();
+  accuracy.look(simulation, books.worst_force());
+}
 
-  film.finish(style);
-  tables.finish(simulation.events());
-  cost.frames = film.frames();
-  cost.frames_reused = film.reused();
+Answer run(const Job& job, AnswerForm form, Notes& notes) {
+  const auto& [asked, scene, plan, since_start] = job;
+  // Where there are several scenes nothing is written that a signal could tear.
+  const StopSignal stop(form.one_line ? StopSignal::Ear::deaf : StopSignal::Ear::open);
+  const std::string origin = checkpoint_origin(scene, asked.motion);
+  Checkpoint resumed;
+  if (!asked.resume.empty()) resumed = read_checkpoint(asked.resume, origin);
+  std::optional<ProgramFile> failed;
+  if (!asked.failed_programs.empty()) failed.emplace(asked.failed_programs);
+  const MissedProgramListener listener([&failed](const QuadraticProgram& program) {
+    if (failed) failed->add(program);
+  });
+  Simulation simulation = begin(job, resumed);
+
+  AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
+  animation.while_waiting = [&stop] { stop.check(); };
+  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
+                            plan.request, plan.back,    stop};
+  RunBooks books(asked, plan, source, animation);
+  SummaryFile summary_file(asked.summary);
+  RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
+  const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
+  const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
+  Progress progress(style, "simulating", plan.end, "s");
+  simulation.set_pulse([&] {
+    stop.check();
+    progress.reached(std::min(plan.end, simulation.reached()));
+  });
+  AccuracyWatch accuracy(resumed.first_violation);
+  const std::size_t first = repeat(job, resumed.moments, simulation, books);
+  CheckpointKeeper keeper(asked, origin, std::move(resumed));
+  keeper.listen(simulation);
+  try {
+    simulate(job, first, simulation, books, keeper, accuracy, progress);
+    progress.end();
+    books.finish(simulation, style);
+    if (failed) failed->finish();
+  } catch (const Interrupted&) {
+    keeper.write(accuracy);
+    throw;
+  }
+  cost.frames = books.frames();
+  cost.frames_reused = books.reused();
   cost.wall_s = watch.wall();
   cost.cpu_s = watch.cpu();
-  const ExitCode code = verdict_on_accuracy(simulation.audit(), worst_force, notes);
-  auto summary = run_summary(scene, asked.motion, simulation, samples, notes, cost);
-  if (!asked.forces.empty()) summary["forces"] = {{"max_kkt_residual", worst_force}};
+  const ExitCode code = accuracy.verdict(notes);
+  auto summary = run_summary(scene, asked.motion, simulation, books.samples(), notes, cost);
+  if (accuracy.first()) summary["audit"]["first_violation"] = violation_json(*accuracy.first());
+  if (!asked.forces.empty()) summary["forces"] = {{"max_kkt_residual", books.worst_force()}};
   summary_file.write(json_text(summary, {}));
   return {code, form.json ? json_text(summary, form) : ""};
 }
 
-/// What holds for all scenes of the command.
-struct Errand {
-  const RunOptions& asked;
-  const Options& options;
-  const Stopwatch& since_start;
-  const StopSignal& stop;
-};
-
-Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Notes& notes) {
-  const auto& [asked, options, since_start, stop] = errand;
+Answer answer(const RunOptions& asked,
+              const Options& options,
+              const Stopwatch& since_start,
+              const SceneText& text,
+              AnswerForm form,
+              Notes& notes) {
   if (form.one_line && !asked.files().empty())
     throw UsageError("files are written for one scene at a time; for several there is --json");
   note_idle_options(asked, options, notes);
@@ -127,7 +186,7 @@ Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Note
     throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
   const RunOptions suited = with_rate_of_gif(asked, options, notes);
   if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
-  return run({suited, scene, make_plan(suited, scene), since_start, stop}, form, notes);
+  return run({suited, scene, make_plan(suited, scene), since_start}, form, notes);
 }
 
 void declare_outputs(Options& options, RunOptions& asked) {
@@ -154,6 +213,16 @@ void declare_outputs(Options& options, RunOptions& asked) {
   options.text("--forces", "FILE", "contact forces at the frame times as CSV", asked.forces);
   options.text("--events", "FILE", "events as JSON lines", asked.events);
   options.text("--summary", "FILE", "the summary as JSON", asked.summary);
+  options.text("--failed-programs", "FILE",
+               "programs that missed their tolerance, for `wuerfel replay`", asked.failed_programs);
+  options.text("--checkpoint", "FILE", "keep here what the run can be taken up again from",
+               asked.checkpoint);
+  options.single(
+      "--every", "S", "simulated time from one checkpoint to the next in s [a tenth of the run]",
+      [&asked](const std::string& text) { asked.every = parse_positive("--every", text); });
+  options.text("--resume", "FILE", "go on from such a checkpoint, with the same scene and options",
+               asked.resume);
+  options.flag("--strict", "stop where the error budget is exceeded first", asked.strict);
   options.flag("--json", "print the summary as JSON", asked.json);
   options.flag("--quiet", "no progress and no notes", asked.quiet);
   add_threads_option(options, asked.threads);
@@ -170,11 +239,9 @@ Action declare_run(Options& options) {
   add_motion_options(options, asked->motion);
   return [asked, &options](const Stopwatch& since_start) {
     require_distinct_outputs(*asked);
-    const StopSignal stop;
-    const Errand errand{*asked, options, since_start, stop};
     return for_each_scene({asked->scenes, asked->json, asked->quiet, asked->threads},
-                          [&errand](const SceneText& text, AnswerForm form, Notes& notes) {
-                            return answer(errand, text, form, notes);
+                          [&](const SceneText& text, AnswerForm form, Notes& notes) {
+                            return answer(*asked, options, since_start, text, form, notes);
                           });
   };
 }

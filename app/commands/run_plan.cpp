@@ -1,6 +1,7 @@
 #include "app/commands/run_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -28,9 +29,11 @@ std::vector<double> frames_until(double end, const RunOptions& asked) {
   return frame_times(end, asked.rate);
 }
 
-// Where nobody looks, somebody waits: he sees every hundredth of the way.
-std::vector<double> marks_until(double end) {
-  constexpr int count = 100;
+// Where nobody looks, somebody waits: he sees every hundredth of the way, or every checkpoint.
+std::vector<double> marks_until(double end, const RunOptions& asked) {
+  constexpr double most = 1e6;
+  const double wanted = asked.every ? std::ceil(end / *asked.every) : 0.0;
+  const int count = static_cast<int>(std::clamp(wanted, 100.0, most));
   std::vector<double> marks;
   for (int k = 1; k < count; ++k)
     marks.push_back(end * k / count);
@@ -64,7 +67,8 @@ void require_body(const Camera& camera, const Scene& scene) {
 
 std::vector<std::string> RunOptions::files() const {
   std::vector<std::string> names = outputs;
-  for (const std::string* file : {&states, &forces, &events, &summary})
+  for (const std::string* file :
+       {&states, &forces, &events, &summary, &failed_programs, &checkpoint})
     if (!file->empty()) names.push_back(*file);
   return names;
 }
@@ -85,10 +89,11 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   RunPlan plan;
   plan.end = asked.until.value_or(scene.duration);
   require_samples_until(plan.end, asked.samples);
+  require_possible_steps(plan.end, asked.motion);
   require_body(asked.picture.camera, scene);
   const std::vector<double> frames = frames_until(plan.end, asked);
   plan.instants = timetable(plan.end, frames, asked.samples,
-                            frames.empty() ? marks_until(plan.end) : std::vector<double>{});
+                            frames.empty() ? marks_until(plan.end, asked) : std::vector<double>{});
   if (!asked.outputs.empty()) {
     plan.request = snapshot_request(asked.picture, scene.cubes.size());
     plan.back = look_back(asked.picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);

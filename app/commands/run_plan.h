@@ -28,6 +28,11 @@ struct RunOptions {
   std::string forces;
   std::string events;
   std::string summary;
+  std::string failed_programs;
+  std::string checkpoint;       ///< file; empty: none
+  std::optional<double> every;  ///< s, from one checkpoint to the next
+  std::string resume;           ///< file; empty: from the start
+  bool strict = false;          ///< stop at the first violation
   bool json = false;
   bool quiet = false;
   int threads = 0;  ///< for several scenes; 0: one per core

@@ -44,9 +44,7 @@ MarginRequest parse_margins(const std::string& text) {
     const MarginName* margin = find_margin(part);
     if (margin == nullptr) {
       constexpr std::array<std::string_view, 4> known{"tilt", "load", "shift", "move"};
-      throw UsageError(
-          fmt::format("--margin: '{}' is unknown{}", part,
-                      suggestion(part, known)));
+      throw UsageError(fmt::format("--margin: '{}' is unknown{}", part, suggestion(part, known)));
     }
     request.*(margin->asked) = true;
   }
@@ -57,6 +55,8 @@ std::vector<int> cubes_named(const Scene& scene, const std::vector<std::string>&
   std::vector<std::string_view> known;
   for (const SceneCube& cube : scene.cubes)
     known.emplace_back(cube.name);
+  for (const ScenePoint& point : scene.points)
+    known.emplace_back(point.name);
   std::vector<int> cubes;
   for (const std::string& name : names) {
     const auto at = std::ranges::find(known, name);
@@ -94,7 +94,7 @@ StaticsAnswer::StaticsAnswer(const Scene& scene,
     notes.add("--margin and --ranges are of scenes in which nothing moves yet: this one moves");
     return;
   }
-  still_ = still_scene(scene, settings);
+  still_ = stopped_scene(scene, settings);
   if (request.margin) {
     request_ = *request.margin;
     request_.cubes = cubes;

@@ -17,6 +17,11 @@ std::map<std::string, int> numbers_of(const Snapshot& snapshot) {
   return numbers;
 }
 
+/// When the k-th look before a frame is; the 0-th is the frame itself.
+double look_time(double frame, double average, int k) {
+  return frame - average * k / looks_per_average;
+}
+
 /// Sums of joints, one for each pair of bodies; geometry is that of the latest look.
 class JointSum {
  public:
@@ -71,27 +76,34 @@ std::vector<Instant> with_looks(std::vector<Instant> instants, double average) {
   std::vector<Instant> looks;
   for (const Instant& instant : instants) {
     for (int k = 1; instant.frame && k < looks_per_average; ++k) {
-      const double t = instant.t - average * k / looks_per_average;
+      const double t = look_time(instant.t, average, k);
       if (t > 0.0) looks.push_back({.t = t, .look = true});
     }
   }
   return merged(std::move(instants), looks);
 }
 
-void FrameTaker::notice_impacts(const Simulation& simulation) {
-  const std::vector<Event>& events = simulation.events();
-  for (; seen_ < events.size(); ++seen_)
+/// Up to time t.
+void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
+  for (; seen_ < events.size() && events[seen_].t <= t; ++seen_)
     if (events[seen_].impulse > 0.0) impacts_.push_back(events[seen_]);
-  const double oldest = simulation.time() - std::max(back_.average, back_.impacts);
+  const double oldest = t - std::max(back_.average, back_.impacts);
   while (!impacts_.empty() && impacts_.front().t < oldest)
     impacts_.pop_front();
 }
 
 std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const {
-  if (looks_.size() < 2) return snapshot.joints;
+  // Other frames may have had looks in between; these are those of this one, the oldest first.
+  std::vector<const Joints*> own;
+  for (int k = looks_per_average - 1; k >= 0; --k) {
+    const double t = look_time(snapshot.time, back_.average, k);
+    const auto look = std::ranges::find(looks_, t, &std::pair<double, Joints>::first);
+    if (look != looks_.end()) own.push_back(&look->second);
+  }
+  if (own.size() < 2) return snapshot.joints;
   JointSum sum;
-  for (const auto& [t, joints] : looks_)
-    sum.add(joints, 1.0 / static_cast<double>(looks_.size()));
+  for (const Joints* joints : own)
+    sum.add(*joints, 1.0 / static_cast<double>(own.size()));
   const std::map<std::string, int> number =
       impacts_.empty() ? std::map<std::string, int>{} : numbers_of(snapshot);
   for (const Event& impact : impacts_) {
@@ -113,16 +125,18 @@ std::vector<SnapshotImpact> FrameTaker::marks(double t) const {
   return marks;
 }
 
-std::optional<Snapshot> FrameTaker::take(const Simulation& simulation, const Instant& instant) {
-  notice_impacts(simulation);
+std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
+                                         const Moment& moment,
+                                         const Instant& instant) {
+  notice_impacts(simulation.events(), moment.t);
   while (!looks_.empty() && looks_.front().first <= instant.t - back_.average * (1.0 - 1e-9))
     looks_.pop_front();
   if (!instant.frame) {
     if (instant.look && request_.joints)
-      looks_.emplace_back(instant.t, simulation.snapshot({.joints = true}).joints);
+      looks_.emplace_back(instant.t, simulation.snapshot(moment, {.joints = true}).joints);
     return std::nullopt;
   }
-  Snapshot snapshot = simulation.snapshot(instant.sample ? request_ : passing_);
+  Snapshot snapshot = simulation.snapshot(moment, instant.sample ? request_ : passing_);
   if (request_.joints && back_.average > 0.0) {
     looks_.emplace_back(instant.t, snapshot.joints);
     snapshot.joints = averaged(snapshot);

@@ -34,13 +34,15 @@ class FrameTaker {
   FrameTaker(const SnapshotRequest& request, const SnapshotRequest& passing, const LookBack& back)
       : request_(request), passing_(passing), back_(back) {}
 
-  /// What a motion shows at one of its instants; nothing where there is no frame.
-  std::optional<Snapshot> take(const Simulation& simulation, const Instant& instant);
+  /// What a motion shows at one of its instants, and at that moment; nothing where there is no frame.
+  std::optional<Snapshot> take(const Simulation& simulation,
+                               const Moment& moment,
+                               const Instant& instant);
 
  private:
   using Joints = std::vector<SnapshotJoint>;
 
-  void notice_impacts(const Simulation& simulation);
+  void notice_impacts(const std::vector<Event>& events, double t);
   [[nodiscard]] Joints averaged(const Snapshot& snapshot) const;
   [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
 

@@ -16,18 +16,29 @@ std::size_t bytes_of(const std::vector<T>& list) {
 
 }  // namespace
 
-Audit MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
+AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
   Simulation simulation(scene, motion);
-  simulation.set_pulse([this] { stop.check(); });
+  Progress progress(style, "simulating", instants.empty() ? 0.0 : instants.back().t, "s");
+  simulation.set_pulse([&] {
+    stop.check();
+    progress.reached(simulation.reached());
+  });
   FrameTaker taker(request, passing, back);
-  std::optional<Audit> audit;
+  AccuracyWatch accuracy;
+  bool looked = false;
   for (const Instant& instant : instants) {
     stop.check();
     simulation.advance_to(instant.t);
-    if (const std::optional<Snapshot> snapshot = taker.take(simulation, instant)) show(*snapshot);
-    if (instant.sample) audit = simulation.audit();
+    if (is_seen(instant)) {
+      if (const auto snapshot = taker.take(simulation, simulation.moment(), instant))
+        show(*snapshot);
+    }
+    if (!instant.sample) continue;
+    accuracy.look(simulation, 0.0);
+    looked = true;
   }
-  return audit.value_or(simulation.audit());
+  if (!looked) accuracy.look(simulation, 0.0);
+  return accuracy;
 }
 
 void MotionRange::include(const Snapshot& snapshot) {

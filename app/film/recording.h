@@ -6,9 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "app/cli/progress.h"
 #include "app/cli/stop_signal.h"
 #include "app/film/frame_taker.h"
 #include "app/film/timetable.h"
+#include "app/output/accuracy.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
@@ -28,10 +30,11 @@ struct MotionSource {
   SnapshotRequest passing;  ///< of frames that are only on the way to those asked for
   LookBack back;
   const StopSignal& stop;
+  Progress::Style style = Progress::Style::silent;  ///< of how far it is
 
-  /// Simulates it from the start and shows its frames; what the audit says at the last instant that
-  /// was asked for, or in the end. Throws Interrupted.
-  Audit show_frames(const std::function<void(const Snapshot&)>& show) const;
+  /// Simulates it from the start and shows its frames; how exact it was up to the last instant that
+  /// was asked for, or to the end. Throws Interrupted.
+  AccuracyWatch show_frames(const std::function<void(const Snapshot&)>& show) const;
 };
 
 /// What a whole motion tells of the arrows.

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/film/origin.h"
+#include "app/film/reason.h"
 #include "app/film/recording.h"
 #include "app/film/trails.h"
 #include "core/scene/scene_parser.h"
@@ -76,10 +77,14 @@ MotionSource source_of(const Scene& scene,
   SnapshotRequest passing = request;
   passing.unique = false;
   const LookBack back = look_back(picture, 0.0, options.rate.speed);
-  return {
-      scene,   options.motion, with_looks(std::move(instants), request.joints ? back.average : 0.0),
-      request, passing,        back,
-      stop};
+  return {scene,
+          options.motion,
+          with_looks(std::move(instants), request.joints ? back.average : 0.0),
+          request,
+          passing,
+          back,
+          stop,
+          Progress::style_for_stderr(false)};
 }
 
 // A picture is the frame of a film, and its forces are those of such a frame.
@@ -113,11 +118,11 @@ MotionRange range_of_shown(const Recording& motion, const std::vector<Instant>& 
   return range;
 }
 
-/// One by one, the draw lists of the instants that were asked for.
+/// One by one, the draw lists of the instants that were asked for, with the ghosts and the reason of `extras`.
 std::vector<DrawList> compose_cells(const Recording& motion,
                                     const std::vector<Instant>& instants,
                                     const PictureOptions& fitted,
-                                    const std::vector<SnapshotBox>& ghosts,
+                                    const Snapshot& extras,
                                     Font& font) {
   const Style style = make_style(fitted.theme);
   const FrameOptions frame = frame_options(fitted);
@@ -129,7 +134,8 @@ std::vector<DrawList> compose_cells(const Recording& motion,
     if (!instant.sample) return;
     Snapshot shown = snapshot;
     shown.trails = trails.paths();
-    shown.ghosts = ghosts;
+    shown.ghosts = extras.ghosts;
+    shown.reason = extras.reason;
     lists.push_back(compose_frame(shown, view_of(fitted, shown), style, frame, font));
   });
   return lists;
@@ -143,6 +149,7 @@ std::string settings_text(const StillOptions& options, const PictureOptions& fit
   if (options.strip)
     text += fmt::format(" --strip {}x{}", options.strip->columns, options.strip->rows);
   if (options.ghosts > 0) text += fmt::format(" --ghosts {}", options.ghosts);
+  if (options.why) text += fmt::format(" --why {}", to_string(*options.why));
   return text + " " + option_text(options.motion);
 }
 
@@ -208,12 +215,13 @@ Still compose_still(const Scene& scene,
                     const StopSignal& stop,
                     Font& font) {
   StillOptions options = completed(scene, asked);
+  require_possible_steps(options.times.back(), options.motion);
   const std::vector<Instant> instants = instants_of(options, scene);
   const MotionSource source = source_of(scene, options, instants, stop);
   Recording motion(source);
   Still still;
   Snapshot first;
-  still.audit = source.show_frames([&](const Snapshot& snapshot) {
+  still.accuracy = source.show_frames([&](const Snapshot& snapshot) {
     if (first.boxes.empty()) first = snapshot;
     motion.add(snapshot);
   });
@@ -224,7 +232,9 @@ Still compose_still(const Scene& scene,
       options.strip ? cell_options(options.picture, layout_of(options)) : options.picture;
   PictureOptions fitted = fit_to_motion(picture, motion);
   fitted.legend = legend_of(fitted, range_of_shown(motion, instants));
-  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, first.ghosts, font);
+  if (options.why)
+    first.reason = picture_reason(scene, explain(scene, options.motion), *options.why);
+  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, first, font);
   for (const DrawList& list : lists)
     still.labels_left_out += list.labels_left_out;
 

@@ -7,6 +7,7 @@
 #include "app/cli/stop_signal.h"
 #include "app/film/picture_options.h"
 #include "app/film/timetable.h"
+#include "app/words/language.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
 #include "core/time/simulation.h"
@@ -28,6 +29,8 @@ struct StillOptions {
   FrameRate rate;
   std::optional<double> end;  ///< s, of that film; none: the scene's duration
   int ghosts = 0;             ///< earlier poses, evenly from the start
+  /// Why the scene stands or falls is marked and told in this language: pictures of the start.
+  std::optional<Language> why;
 };
 
 /// A still picture that any backend can draw.
@@ -36,7 +39,7 @@ struct Still {
   std::vector<PlacedList> cells;  ///< of a strip
   std::vector<PngText> origin;
   FigureTexts texts;  ///< of vector figures
-  Audit audit;
+  AccuracyWatch accuracy;
   int labels_left_out = 0;
 };
 

@@ -19,6 +19,15 @@ long frame_count(double end, const FrameRate& rate) {
   return static_cast<long>(std::floor(exact + 1e-9 * std::max(1.0, exact))) + 1;
 }
 
+void require_possible_steps(double end, const MotionSettings& motion) {
+  constexpr double most_steps = 1e14;
+  const bool by_steps =
+      motion.integrator != Integrator::automatic && motion.integrator != Integrator::event;
+  if (by_steps && !(end <= most_steps * motion.step))
+    throw UsageError(fmt::format("--step: {:.3g} steps to the end at {} s are more than {:.0g}",
+                                 end / motion.step, end, most_steps));
+}
+
 std::vector<double> frame_times(double end, const FrameRate& rate) {
   const long count = frame_count(end, rate);
   std::vector<double> times;

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/settings.h"
+
 namespace wuerfel {
 
 /// An instant at which the simulation stops to be looked at.
@@ -13,6 +15,11 @@ struct Instant {
   bool look = false;    ///< forces are looked at, to be averaged in a picture to come
 };
 
+/// Whether somebody looks, be it to average.
+inline bool is_seen(const Instant& instant) {
+  return instant.frame || instant.sample || instant.look;
+}
+
 struct FrameRate {
   double fps = 60.0;   ///< frames per second of the film
   double speed = 1.0;  ///< simulated seconds per second of the film
@@ -21,6 +28,9 @@ struct FrameRate {
 /// How many frames there are from 0 to `end` s. Throws UsageError where they would fill memory and
 /// disk long before they were of use.
 long frame_count(double end, const FrameRate& rate);
+
+/// Throws UsageError where steps of one length could never come to `end` s.
+void require_possible_steps(double end, const MotionSettings& motion);
 
 /// Times of the frames from 0 to `end` s, both included: k / fps * speed for k = 0 .. floor(end fps
 /// / speed).

@@ -1,66 +1,94 @@
 #include "app/output/accuracy.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/core.h>
+
+#include "core/time/promises.h"
 
 namespace wuerfel {
 namespace {
 
-/// Share of the smaller side of a pair up to which bodies may touch with overlap (and a little for
-/// rounding).
-constexpr double promised_overlap = 1.01e-9;
+std::string text_of(Promise promise, const Audit& audit) {
+  switch (promise) {
+    case Promise::programs:
+      return fmt::format(
+          "{} contact problems were solved less exactly than asked for, the worst with a residual "
+          "of {:.2g}",
+          audit.missed_solves, audit.max_kkt_residual);
+    case Promise::events:
+      return fmt::format(
+          "{} times events could not be told apart, or wedged bodies had to stop short",
+          audit.unresolved);
+    case Promise::friction:
+      return fmt::format(
+          "Coulomb's law was missed in {} contact problems, the worst with a residual of {:.2g}",
+          audit.friction_inexact, audit.friction_residual);
+    case Promise::overlap:
+      return fmt::format(
+          "bodies overlap by up to {:.2g} of a side, more than the {:.0g} that is promised",
+          audit.max_overlap, promised_overlap);
+    case Promise::energy:
+      return fmt::format(
+          "energy drifted by {:.2g} J, more than the {:.2g} J that the tolerance promises; try a "
+          "smaller --tolerance",
+          audit.drift(), audit.drift_budget);
+    case Promise::momentum:
+      return fmt::format(
+          "momenta changed by {:.2g} (linear) and {:.2g} (angular) of their size without a reason",
+          audit.momentum_linear, audit.momentum_angular);
+  }
+  return "?";
+}
 
-/// Residual of Coulomb's law that is counted but borne.
-constexpr double promised_friction = 1e-6;
+// "a, b, c and 5 more".
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return text;
+}
 
-/// What is less exact than was asked for; empty where nothing is.
-std::string missed_promise(const Audit& audit, double force_residual) {
-  if (audit.missed_solves > 0) {
-    return fmt::format(
-        "{} contact problems were solved less exactly than asked for, the worst with a residual of "
-        "{:.2g}; the result is there but over the error budget",
-        audit.missed_solves, audit.max_kkt_residual);
+Violation violation_of(Promise promise, const Simulation& simulation) {
+  Violation violation{
+      std::string(to_string(promise)), simulation.time(), {}, text_of(promise, simulation.audit())};
+  if (const Breach* breach = first_breach(simulation.breaches(), promise); breach != nullptr) {
+    violation.t = breach->t;
+    violation.bodies = breach->bodies;
   }
-  if (audit.unresolved > 0) {
-    return fmt::format(
-        "{} times events could not be told apart, or wedged bodies had to stop short; the result "
-        "is there but over the error budget",
-        audit.unresolved);
-  }
-  if (audit.friction_residual > promised_friction) {
-    return fmt::format(
-        "Coulomb's law was missed in {} contact problems, the worst with a residual of {:.2g}; the "
-        "result is there but over the error budget",
-        audit.friction_inexact, audit.friction_residual);
-  }
-  if (audit.max_overlap > promised_overlap) {
-    return fmt::format(
-        "bodies overlap by up to {:.2g} of a side, more than the {:.0g} that is promised; the "
-        "result is there but over the error budget",
-        audit.max_overlap, promised_overlap);
-  }
-  if (audit.drift_budget > 0.0 && !(std::abs(audit.drift()) <= audit.drift_budget)) {
-    return fmt::format(
-        "energy drifted by {:.2g} J, more than the {:.2g} J that the tolerance promises; try a "
-        "smaller --tolerance",
-        audit.drift(), audit.drift_budget);
-  }
-  if (force_residual > QpSettings{}.tolerance) {
-    return fmt::format(
-        "forces were found with a residual of up to {:.2g}, over the error budget; the motion does "
-        "not depend on them",
-        force_residual);
-  }
-  return {};
+  return violation;
 }
 
 }  // namespace
 
-ExitCode verdict_on_accuracy(const Audit& audit, double force_residual, Notes& notes) {
-  const std::string missed = missed_promise(audit, force_residual);
-  if (missed.empty()) return ExitCode::fine;
-  notes.warn(missed);
+void AccuracyWatch::look(const Simulation& simulation, double force_residual) {
+  const std::vector<Promise> broken = broken_promises(simulation.audit());
+  if (!broken.empty()) {
+    const Violation now = violation_of(broken.front(), simulation);
+    // What is told later tells more of what was broken first.
+    if (!first_ || first_->promise == now.promise) {
+      const double t = first_ ? std::min(first_->t, now.t) : now.t;
+      first_ = now;
+      first_->t = t;
+    }
+  } else if (!first_ && force_residual > QpSettings{}.tolerance) {
+    first_ = {"forces",
+              simulation.time(),
+              {},
+              fmt::format("forces were found with a residual of up to {:.2g}; the motion does not "
+                          "depend on them",
+                          force_residual)};
+  }
+}
+
+ExitCode AccuracyWatch::verdict(Notes& notes) const {
+  if (!first_) return ExitCode::fine;
+  std::string text =
+      fmt::format("over the error budget: {}; first at {:.6g} s", first_->text, first_->t);
+  if (!first_->bodies.empty()) text += fmt::format(" among {}", some_of(first_->bodies));
+  notes.warn(text);
   return ExitCode::undecided;
 }
 

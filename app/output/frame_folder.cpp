@@ -38,6 +38,8 @@ FrameFolder::~FrameFolder() {
 }
 
 void FrameFolder::add(std::span<const std::uint8_t> png) {
+  // Frames of an earlier run would pass for later ones of this one, should it be interrupted.
+  if (count_ == 0) finish();
   OutputFile file((folder_ / frame_name(count_)).string());
   file.write(png);
   file.commit();

@@ -17,9 +17,10 @@ class FrameFolder {
   FrameFolder(const FrameFolder&) = delete;
   FrameFolder& operator=(const FrameFolder&) = delete;
 
-  /// Writes the next frame, the bytes of a PNG file, whole or not at all. Throws OutputError.
+  /// Writes the next frame, the bytes of a PNG file, whole or not at all; with the first one those of
+  /// an earlier run go. Throws OutputError.
   void add(std::span<const std::uint8_t> png);
-  /// Removes frames of an earlier, longer run, which would pass for the end of this one.
+  /// Removes frames after the last, which would pass for the end of this run.
   void finish();
 
  private:

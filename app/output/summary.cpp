@@ -1,5 +1,6 @@
 #include "app/output/summary.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/scene_source.h"
@@ -30,7 +31,8 @@ Json sample_json(const Scene& scene, const Sample& sample) {
   return {{"t", sample.t}, {"bodies", std::move(bodies)}};
 }
 
-Json audit_json(const Audit& audit) {
+Json audit_json(const Simulation& simulation) {
+  const Audit audit = simulation.audit();
   return {{"max_penetration", audit.max_penetration},
           {"max_rod_error", audit.max_rod_error},
           {"max_kkt_residual", audit.max_kkt_residual},
@@ -40,12 +42,15 @@ Json audit_json(const Audit& audit) {
           {"friction_inexact", audit.friction_inexact},
           {"friction_residual", audit.friction_residual},
           {"restitution_reduced", audit.restitution_reduced},
+          {"momentum", {{"linear", audit.momentum_linear}, {"angular", audit.momentum_angular}}},
+          {"momentum_settled", audit.momentum_settled},
           {"energy",
            {{"start", audit.energy_start},
             {"end", audit.energy_end},
             {"impact_loss", audit.impact_loss},
             {"friction_loss", audit.friction_loss},
-            {"drift", audit.drift()}}}};
+            {"drift", audit.drift()}}},
+          {"state_hash", fmt::format("{:016x}", simulation.state_hash())}};
 }
 
 Json cost_json(const Cost& work, const RunCost& cost) {
@@ -84,6 +89,10 @@ Json event_json(const Event& event) {
           {"impulse", event.impulse}};
 }
 
+Json violation_json(const Violation& violation) {
+  return {{"what", violation.promise}, {"t", violation.t}, {"bodies", violation.bodies}};
+}
+
 Json run_summary(const Scene& scene,
                  const MotionSettings& settings,
                  const Simulation& simulation,
@@ -102,7 +111,7 @@ Json run_summary(const Scene& scene,
           {"t_end", simulation.time()},
           {"samples", std::move(sample_list)},
           {"events", std::move(event_list)},
-          {"audit", audit_json(simulation.audit())},
+          {"audit", audit_json(simulation)},
           {"notes", notes.texts()},
           {"outcome", {{"moved", simulation.moved()}, {"at_rest", simulation.at_rest()}}},
           {"cost", cost_json(simulation.cost(), cost)}};

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/cli/streams.h"
+#include "app/output/accuracy.h"
 #include "app/output/text_output.h"
 #include "core/scene/scene.h"
 #include "core/settings.h"
@@ -36,6 +37,8 @@ nlohmann::ordered_json run_summary(const Scene& scene,
                                    const std::vector<Sample>& samples,
                                    const Notes& notes,
                                    const RunCost& cost);
+
+nlohmann::ordered_json violation_json(const Violation& violation);
 
 /// The file for the summary, if one is wanted.
 class SummaryFile {

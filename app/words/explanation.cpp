@@ -74,6 +74,7 @@ std::string tip_sentence(const StillScene& still,
 /// The phrase of a part that does not tip, of one cube and of several.
 std::pair<Phrase, Phrase> loss_phrases(const StillScene& still, const Cause& cause) {
   if (cause.failure == Failure::drops) return {Phrase::drops, Phrase::drop};
+  if (cause.failure == Failure::swings) return {Phrase::swings, Phrase::swing};
   if (cause.sense == 0) return {Phrase::gives_way, Phrase::give_way};
   const auto rubs = [&](int k) {
     const Contact& c = still.found.islands[cause.island].island.contacts[k];
@@ -123,8 +124,9 @@ void tell_margin(const Explanation& e, Language language, std::vector<std::strin
   }
   const bool right = e.weakest->shift.high <= -e.weakest->shift.low;
   const double most = std::min(e.weakest->shift.high, -e.weakest->shift.low);
-  text.push_back(say_in(language,
-                        e.weakest->share <= knife_edge ? Phrase::knife_edge : Phrase::weakest,
+  // What hangs on rods swings: it need not be on the edge of falling.
+  const Phrase none = e.still->system.rods.empty() ? Phrase::knife_edge : Phrase::no_shift;
+  text.push_back(say_in(language, e.weakest->share <= knife_edge ? none : Phrase::weakest,
                         {{"body", e.still->system.body(e.weakest->cube).name},
                          {"side", side_name(right ? 1 : -1, language)},
                          {"length", length_in(language, most)}}));
@@ -147,6 +149,8 @@ std::vector<std::string> moving_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const SceneCube& cube : scene.cubes)
     if (!cube.velocity.isZero(0.0) || cube.spin != 0.0) names.push_back(cube.name);
+  for (const ScenePoint& point : scene.points)
+    if (!point.velocity.isZero(0.0)) names.push_back(point.name);
   return names;
 }
 
@@ -183,7 +187,7 @@ Explanation explain(const Scene& scene, const MotionSettings& settings) {
   Explanation e;
   e.check = check(scene, settings);
   if (e.check.verdict == Verdict::moves) return e;
-  e.still = still_scene(scene, settings);
+  e.still = stopped_scene(scene, settings);
   if (e.check.verdict != Verdict::stands) {
     e.causes = find_causes(*e.still);
     e.fixes = find_fixes(*e.still, settings, e.causes);

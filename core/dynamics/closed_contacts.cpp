@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/dynamics/momentum_balance.h"
+
 namespace wuerfel {
 
 ClosedContacts::ClosedContacts(const System& system)
@@ -85,6 +87,36 @@ void ClosedContacts::accelerate(const State& state, std::vector<Twist>& accelera
     accelerations[cube] = {Vec2(at[0], at[1]), at[2]};
     at += 3;
   }
+}
+
+/// Beyond gravity, whoever did it: what the accelerations say.
+Push ClosedContacts::felt(const State& state, const Vec2& center) const {
+  Push sum;
+  const double* a = x_.data();
+  for (const int cube : island_.cubes) {
+    const Body& body = system_->body(cube);
+    const Vec2 force = body.mass * (Vec2(a[0], a[1]) - system_->gravity);
+    sum += {force, det(state[cube].position - center, force) + body.inertia * a[2]};
+    a += 3;
+  }
+  return sum;
+}
+
+Push ClosedContacts::pushed(const State& state) const {
+  Push sum;
+  if (none()) return sum;
+  const Vec2 center = common_center(*system_, state, resting_);
+  const bool held =
+      std::ranges::any_of(island_.rods, [this](int rod) { return is_held(system_->rods[rod]); });
+  if (held) return felt(state, center);
+  std::vector<double> along;
+  if (rubbing_.any()) along = rubbing_.along_sides(forces_);
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const Contact& c = island_.contacts[k];
+    const Vec2 side = along.empty() ? Vec2(Vec2::Zero()) : Vec2(along[k] * perp(c.normal));
+    add_push(*system_, state, center, c, forces_[k] * c.normal + side, sum);
+  }
+  return sum;
 }
 
 }  // namespace wuerfel

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/dynamics/programs.h"
+#include "core/dynamics/push.h"
 #include "core/dynamics/rubbing_contacts.h"
 #include "core/qp/methods/equality_solver.h"
 
@@ -43,12 +44,16 @@ class ClosedContacts {
   /// Contacts that rub, with the forces of the last `accelerate` along their sides.
   [[nodiscard]] const RubbingContacts& rubbing() const { return rubbing_; }
 
+  /// What fixed bodies do to the moving cubes, by the forces of the last `accelerate` at `state`.
+  [[nodiscard]] Push pushed(const State& state) const;
+
   /// (x, y, theta) per cube of `cubes`: the least displacements (in the mass metric) that close the
   /// gaps to first order, the velocities nearest to those of `state` that keep them, or the
   /// accelerations.
   const std::vector<double>& nearest(const State& state, Order order);
 
  private:
+  [[nodiscard]] Push felt(const State& state, const Vec2& center) const;
   [[nodiscard]] bool moves(const RodEnd& end) const;
   void pose(const State& state);
 

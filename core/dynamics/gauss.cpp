@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/dynamics/missed_programs.h"
+
 namespace wuerfel {
 
 namespace {
@@ -84,6 +86,8 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   solution.status = result.status;
   solution.residual = result.residual.worst();
   solution.iterations = solution.skipped ? 0 : result.iterations;
+  if (result.status != QpStatus::optimal && result.status != QpStatus::infeasible)
+    MissedProgramListener::tell(program);
   solution.forces.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
   solution.rods.assign(island.rods.size(), 0.0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/qp/coulomb/coulomb_stages.h"
 #include "core/qp/coulomb/rest_program.h"
@@ -84,7 +85,7 @@ RestResult find_rest(const FrictionProgram& friction) {
     FrictionProgram weaker = friction;
     for (FrictionContact& c : weaker.contacts)
       c.mu = std::min(c.mu, strong_friction);
-    const RestResult rest = RestProgram().solve(weaker);
+    RestResult rest = RestProgram().solve(weaker);
     if (rest.equilibrium()) return rest;
   }
   return RestProgram().solve(friction);
@@ -137,8 +138,8 @@ std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSoluti
 /// Looks for solutions of one program that are not zero.
 class FallSearch {
  public:
-  FallSearch(const FrictionProgram& friction, const std::vector<double>& start)
-      : friction_(friction), start_(start), stages_(CoulombSettings{}) {
+  FallSearch(FrictionProgram friction, std::vector<double> start)
+      : friction_(std::move(friction)), start_(std::move(start)), stages_(CoulombSettings{}) {
     stages_.prepare(friction_);
     scale_ = CoulombJudge().measure_scales(friction_.program).velocity;
   }

@@ -11,12 +11,11 @@ namespace {
 /// Normals are parallel where their cross product is no more than this.
 constexpr double parallel = 1e-9;
 
-/// From the centre of the body of the side to the place of the corner.
+}  // namespace
+
 Vec2 arm_of_side(const Contact& c) {
   return c.alpha * c.arm_j + (1.0 - c.alpha) * c.arm_i + c.gap * c.normal;
 }
-
-}  // namespace
 
 Vec2 relative_velocity(const System& system, const State& state, const Contact& c) {
   Vec2 v = Vec2::Zero();

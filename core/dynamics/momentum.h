@@ -9,6 +9,9 @@
 
 namespace wuerfel {
 
+/// From the centre of the body of the side to the place of the corner p_k, m.
+Vec2 arm_of_side(const Contact& contact);
+
 /// Velocity of the corner p_k against the body of the side at the same place, m/s.
 Vec2 relative_velocity(const System& system, const State& state, const Contact& contact);
 

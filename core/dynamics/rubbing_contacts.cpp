@@ -172,6 +172,17 @@ void RubbingContacts::add_margins(std::span<const double> forces,
   }
 }
 
+std::vector<double> RubbingContacts::along_sides(std::span<const double> forces) const {
+  std::vector<double> along(forces.size(), 0.0);
+  std::size_t next = 0;
+  for (const Touch& touch : touches_) {
+    if (touch.sticks) along[touch.first] = tangential_[next++];
+    for (int k = touch.first; k < touch.first + touch.count && touch.slips != 0; ++k)
+      along[k] = -touch.slips * touch.surface.friction * forces[k];
+  }
+  return along;
+}
+
 void RubbingContacts::add_slips(const System& system,
                                 const State& state,
                                 std::span<const Contact> contacts,

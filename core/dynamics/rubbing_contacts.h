@@ -38,6 +38,9 @@ class RubbingContacts {
   /// How far touches that stick are from slipping, mu N - T and mu N + T (N), at the solution with
   /// the normal forces `forces`: added to `loads`. Two for each.
   void add_margins(std::span<const double> forces, std::vector<double>& loads) const;
+  /// Forces along the sides, N along perp(normal) on the body of the corner, one per contact, at the
+  /// solution with the normal forces `forces`. Of a touch that sticks all at its first contact.
+  [[nodiscard]] std::vector<double> along_sides(std::span<const double> forces) const;
   /// How fast touches slip, in their direction, m/s: added to `loads`. One for each.
   void add_slips(const System& system,
                  const State& state,

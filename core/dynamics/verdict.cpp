@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/dynamics/forces_at.h"
 #include "core/model/scales.h"
@@ -9,18 +10,65 @@
 namespace wuerfel {
 namespace {
 
-/// The largest |a| + side |alpha| of any cube, as a share of g, or of the scale in its place.
-double largest_share(const System& system,
-                     const State& state,
-                     const std::vector<Twist>& a,
-                     std::span<const char> watched) {
-  double e = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!watched.empty() && watched[i] == 0) continue;
-    e = std::max(e, a[i].linear.norm() + system.bodies[i].size.minCoeff() * std::abs(a[i].angular));
+/// Rounding of single numbers leaves this much of what should cancel.
+constexpr double bits = 4.0 * std::numeric_limits<double>::epsilon();
+/// A residual above this has been piled up by many of them.
+constexpr double piled_up = 1e-14;
+/// What falls by less than so many times what is uncertain may as well stand.
+constexpr double certain_times = 100.0;
+
+/// |a| + side |alpha| as a share of g, or of the scale in its place.
+double share_of(const Body& body, const Twist& a, double g) {
+  return (a.linear.norm() + body.size.minCoeff() * std::abs(a.angular)) / g;
+}
+
+/// The most that forces which are wrong by their residual may change these shares by, one per cube.
+std::vector<double> uncertain_shares(const System& system, const InstantForces& found, double g) {
+  std::vector<double> shares(system.cubes, 0.0);
+  for (const IslandForces& of : found.islands) {
+    const bool shown = !of.forces.force.empty();
+    const std::vector<double>& forces = shown ? of.forces.force : of.solution.forces;
+    const double residual = std::max(bits, shown ? of.forces.residual : of.solution.residual);
+    const auto add = [&](int cube, const Vec2& arm, const Vec2& force) {
+      if (!system.is_cube(cube)) return;
+      const Body& body = system.body(cube);
+      const Twist a{force / body.mass, body.inertia > 0.0 ? det(arm, force) / body.inertia : 0.0};
+      shares[cube] += residual * share_of(body, a, g);
+    };
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      const Contact& c = of.island.contacts[k];
+      add(c.on, c.arm_k, forces[k] * c.normal);
+      add(c.from, c.arm_i + c.alpha * (c.arm_j - c.arm_i), forces[k] * c.normal);
+    }
   }
-  const double g = system.gravity.norm();
-  return e / (g > 0.0 ? g : scales_of(system, state).gravity);
+  return shares;
+}
+
+/// How far cubes are from rest, and how well that is known.
+struct Unrest {
+  double most = 0.0;       ///< the largest share
+  bool certain = false;    ///< some share that counts as falling is more than rounding leaves of it
+  double uncertain = 0.0;  ///< the largest share that rounding may have piled up to
+};
+
+Unrest unrest_of(const System& system,
+                 const State& state,
+                 const InstantForces& found,
+                 std::span<const char> watched) {
+  const double g =
+      system.gravity.isZero(0.0) ? scales_of(system, state).gravity : system.gravity.norm();
+  const std::vector<double> uncertain = uncertain_shares(system, found, g);
+  Unrest unrest;
+  for (int i = 0; i < system.cubes; ++i) {
+    if (!watched.empty() && watched[i] == 0) continue;
+    const double share = share_of(system.body(i), found.accelerations[i], g);
+    unrest.most = std::max(unrest.most, share);
+    unrest.certain =
+        unrest.certain || (share >= falls_above && share > certain_times * uncertain[i]);
+    // Where forces balance to their last bits nothing has piled up, however large they are.
+    if (found.residual > piled_up) unrest.uncertain = std::max(unrest.uncertain, uncertain[i]);
+  }
+  return unrest;
 }
 
 /// The most that an island at rest which has no equilibrium moves in its certificate, as a share of
@@ -54,8 +102,7 @@ double unrest(const System& system,
               const State& state,
               const InstantForces& found,
               std::span<const char> watched) {
-  return std::max(largest_share(system, state, found.accelerations, watched),
-                  largest_unrest(found, watched));
+  return std::max(unrest_of(system, state, found, watched).most, largest_unrest(found, watched));
 }
 
 Verdict judge(const System& system,
@@ -66,9 +113,11 @@ Verdict judge(const System& system,
       state, [](const BodyState& s) { return !s.velocity.isZero(0.0) || s.spin != 0.0; });
   if (moves) return Verdict::moves;
   if (!found.solved) return Verdict::undecided;
-  const double e = unrest(system, state, found, watched);
-  if (e <= stands_below) return Verdict::stands;
-  return e >= falls_above ? Verdict::falls : Verdict::undecided;
+  const Unrest own = unrest_of(system, state, found, watched);
+  const double certificate = largest_unrest(found, watched);
+  if (own.certain || certificate >= falls_above) return Verdict::falls;
+  const bool stands = std::max(own.most, certificate) <= stands_below;
+  return stands && own.uncertain < falls_above ? Verdict::stands : Verdict::undecided;
 }
 
 }  // namespace wuerfel

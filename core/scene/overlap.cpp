@@ -136,6 +136,18 @@ std::optional<Overlap> overlap_with_plane(const Scene& scene, const std::vector<
   return std::nullopt;
 }
 
+/// Overlap of so many last digits of a coordinate is what rounding may make of touching.
+constexpr double few_digits = 16.0;
+
+/// The largest coordinate of a body, m.
+double farthest(const Scene& scene, const BodyRef& body) {
+  const auto i = static_cast<std::size_t>(body.index);
+  const Vec2& place = body.kind == BodyKind::plane   ? scene.planes[i].point
+                      : body.kind == BodyKind::fixed ? scene.fixed[i].position
+                                                     : scene.cubes[i].position;
+  return place.cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 const std::string& body_name(const Scene& scene, const BodyRef& body) {
@@ -158,8 +170,19 @@ std::string overlap_message(const Scene& scene, const Overlap& overlap) {
                        body_name(scene, overlap.second), overlap.depth,
                        body_name(scene, overlap.first));
   }
-  return fmt::format("\"{}\" and \"{}\" overlap by {:.6g} m", body_name(scene, overlap.second),
-                     body_name(scene, overlap.first), overlap.depth);
+  std::string text =
+      fmt::format("\"{}\" and \"{}\" overlap by {:.6g} m", body_name(scene, overlap.second),
+                  body_name(scene, overlap.first), overlap.depth);
+  const double far = std::max(farthest(scene, overlap.first), farthest(scene, overlap.second));
+  const double digit = std::numeric_limits<double>::epsilon() * far;
+  if (overlap.depth <= few_digits * digit) {
+    text += fmt::format(
+        ": coordinates of {:.3g} m have no digits below {:.1g} m, so bodies this small cannot "
+        "touch "
+        "there; nearer to the origin they can",
+        far, digit);
+  }
+  return text;
 }
 
 }  // namespace wuerfel

@@ -14,6 +14,7 @@
 #include "core/scene/overlap.h"
 #include "core/scene/pile.h"
 #include "core/scene/placement.h"
+#include "core/scene/scene_parser.h"
 
 namespace wuerfel {
 namespace {
@@ -272,9 +273,13 @@ class SceneBuilder {
     const Origin& first = *groups_.of(overlap->first).origin;
     const Origin& second = *groups_.of(overlap->second).origin;
     const Origin& later = written_before(second.table->place, first.table->place) ? first : second;
-    source_.fail(later.table->place, later.path,
-                 overlap_message(scene_, *overlap)
-                     + "; move them apart, or let one stand on the other with `on`");
+    try {
+      source_.fail(later.table->place, later.path,
+                   overlap_message(scene_, *overlap)
+                       + "; move them apart, or let one stand on the other with `on`");
+    } catch (const SceneError& error) {
+      throw OverlapError(error.what());
+    }
   }
 
   const SceneEntries& entries_;

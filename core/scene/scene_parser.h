@@ -21,6 +21,12 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Bodies overlap.
+class OverlapError : public SceneError {
+ public:
+  using SceneError::SceneError;
+};
+
 /// Reads a scene from text. JSON if the first character that is not white space is '{' (or `name`
 /// ends in ".json"), else TOML. `name` stands for the file in messages; `overrides` are "KEY=VALUE"
 /// texts as in `--set cube.a.angle=0.1`, applied in their order before anything is checked (see

@@ -21,6 +21,10 @@ TableReader::TableReader(const SceneSource& source, const Value& value, std::str
   }
 }
 
+std::string TableReader::inner_path(std::string_view key) const {
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
 std::string TableReader::element_path(std::string_view key, std::size_t index) {
   return fmt::format("{}[{}]", key, index + 1);
 }

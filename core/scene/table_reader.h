@@ -42,7 +42,7 @@ class TableReader {
     known_.push_back(key);
     const Member* member = find_member(*table_, key);
     if (member == nullptr) return;
-    TableReader reader(source_, member->value, std::string(key));
+    TableReader reader(source_, member->value, inner_path(key));
     describe(reader, entry);
     reader.finish();
   }
@@ -86,6 +86,7 @@ class TableReader {
     alternatives_.push_back({keys, one_needed, one_allowed});
   }
   [[nodiscard]] const Value::Array& tables_of(const Member& member) const;
+  [[nodiscard]] std::string inner_path(std::string_view key) const;
   static std::string element_path(std::string_view key, std::size_t index);
   void refuse_unknown_keys() const;
   void judge(const Alternatives& rule) const;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/statics/margins.h"
-#include "core/statics/parts.h"
 
 namespace wuerfel {
 namespace {
@@ -22,19 +21,35 @@ std::vector<int> part_of(const StillScene& still, const Island& island, int cube
   return carried_parts(still, island)[at - island.cubes.begin()];
 }
 
+/// Whether a rod joins cubes to anything else.
+bool tied(const StillScene& still, const Island& island, const std::vector<int>& cubes) {
+  const auto inside = [&](int body) { return std::ranges::binary_search(cubes, body); };
+  return std::ranges::any_of(island.rods, [&](int number) {
+    const Rod& rod = still.system.rods[number];
+    return inside(rod.i.body) != inside(rod.j.body);
+  });
+}
+
 /// Looks at moved scenes, and finds where they change.
 class MoveSearch {
  public:
   MoveSearch(const StillScene& still, const MotionSettings& settings, const CarriedGroup& group)
       : still_(still), settings_(settings), group_(group) {
-    side_ = still.system.body(group.cubes.front()).size.minCoeff();
+    side_ = unbounded;
     for (const int cube : group.cubes)
-      side_ = std::min(side_, still.system.body(cube).size.minCoeff());
+      if (still.system.body(cube).kind == BodyKind::cube)
+        side_ = std::min(side_, still.system.body(cube).smaller_side());
   }
 
   [[nodiscard]] MovedScene at(double s) const { return move(still_, settings_, group_, s); }
   [[nodiscard]] bool stands(double s) const { return at(s).verdict == Verdict::stands; }
   [[nodiscard]] double side() const { return side_; }
+
+  /// Whether the scene stands up to a place, as looks in between tell, and not beyond.
+  [[nodiscard]] bool changes_at(double s, double sense) const {
+    if (!std::isfinite(s) || s == 0.0) return false;
+    return stands(s) && !stands(s + sense * bracketed * side_) && stands(0.5 * s);
+  }
 
   /// Between a place where the scene stands and one where it does not: the last place where it does.
   [[nodiscard]] double edge(double in, double out) const {
@@ -117,6 +132,16 @@ class MoveSearch {
   double side_ = 0.0;
 };
 
+/// kg, of a part that moves with the group.
+double moved_mass(const StillScene& still,
+                  const CarriedGroup& group,
+                  const std::vector<int>& cubes) {
+  double moved = 0.0;
+  for (const int cube : group.cubes)
+    if (std::ranges::binary_search(cubes, cube)) moved += still.system.body(cube).mass;
+  return moved;
+}
+
 /// How far the group has to go so that the centre of every part that fails comes to where it stands;
 /// empty where it cannot do that. These are necessary, and mostly sufficient.
 LoadRange needed(const StillScene& still, const Island& island, const CarriedGroup& group) {
@@ -125,9 +150,7 @@ LoadRange needed(const StillScene& still, const Island& island, const CarriedGro
   for (const std::vector<int>& cubes : carried_parts(still, island)) {
     const PartStand part = judge.judge(cubes, Shift::of_what_falls);
     if (part.stands()) continue;
-    double moved = 0.0;
-    for (const int cube : group.cubes)
-      if (std::ranges::binary_search(cubes, cube)) moved += still.system.body(cube).mass;
+    const double moved = moved_mass(still, group, cubes);
     if (moved == 0.0 || is_empty(part.shift)) return no_load;
     const double times = part.mass / (moved * group.along.dot(right_of(still.down())));
     needed.low = std::max(needed.low, part.shift.low * times);
@@ -155,9 +178,10 @@ std::optional<double> mended_on_the_way(const MoveSearch& search, double nearest
 
 std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   const int m = still.island_of(cube);
-  if (m < 0) return std::nullopt;
+  if (m < 0 || still.system.body(cube).kind == BodyKind::point) return std::nullopt;
   const Island& island = still.found.islands[m].island;
   CarriedGroup group{part_of(still, island, cube), m};
+  if (tied(still, island, group.cubes)) return std::nullopt;
   std::optional<Vec2> normal;
   for (const Contact& c : island.contacts) {
     const bool on = std::ranges::binary_search(group.cubes, c.on);
@@ -193,18 +217,44 @@ MovedScene move(const StillScene& still,
           false};
 }
 
-LoadRange move_range(const StillScene& still, const MotionSettings& settings, int cube) {
-  const std::optional<CarriedGroup> group = carried_group(still, cube);
+MoveMargins::MoveMargins(const StillScene& still, const MotionSettings& settings, int island)
+    : still_(&still), settings_(&settings) {
+  const IslandForces& of = still.found.islands[island];
+  if (still.falls(of)) return;
+  const PartJudge judge(still, of.island);
+  for (const std::vector<int>& cubes : carried_parts(still, of.island))
+    parts_.push_back(judge.judge(cubes, Shift::of_all));
+}
+
+/// Where the centre of a part leaves what it stands on; mostly that is the first change.
+double MoveMargins::expected_change(const CarriedGroup& group, double sense) const {
+  double nearest = unbounded;
+  for (const PartStand& part : parts_) {
+    const double moved = moved_mass(*still_, group, part.cubes);
+    const double reach = sense > 0.0 ? part.shift.high : -part.shift.low;
+    if (moved > 0.0)
+      nearest = std::min(nearest,
+                         reach * part.mass / (moved * group.along.dot(right_of(still_->down()))));
+  }
+  return sense * nearest;
+}
+
+LoadRange MoveMargins::range(int cube) const {
+  const std::optional<CarriedGroup> group = carried_group(*still_, cube);
   if (!group) return no_load;
-  const IslandForces& island = still.found.islands[group->island];
-  const MoveSearch search(still, settings, *group);
+  const MoveSearch search(*still_, *settings_, *group);
   const double error = bracketed * search.side();
-  if (!still.falls(island))
-    return {search.first_change(0.0, -1.0), search.first_change(0.0, 1.0), error};
-  const std::optional<double> mended = mending_move(still, settings, cube);
-  if (!mended) return no_load;
-  const double beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);
-  return {std::min(*mended, beyond), std::max(*mended, beyond), error};
+  if (still_->falls(still_->found.islands[group->island])) {
+    const std::optional<double> mended = mending_move(*still_, *settings_, cube);
+    if (!mended) return no_load;
+    const double beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);
+    return {std::min(*mended, beyond), std::max(*mended, beyond), error};
+  }
+  const auto end = [&](double sense) {
+    const double expected = expected_change(*group, sense);
+    return search.changes_at(expected, sense) ? expected : search.first_change(0.0, sense);
+  };
+  return {end(-1.0), end(1.0), error};
 }
 
 std::optional<double> mending_move(const StillScene& still,

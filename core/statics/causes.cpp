@@ -90,7 +90,8 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
     cause.outside = shift.low > 0.0 ? shift.low : -shift.high;
     return cause;
   }
-  cause.failure = cause.on.empty() ? Failure::drops : Failure::slides;
+  cause.failure = Failure::slides;
+  if (cause.on.empty()) cause.failure = cause.part.on_rods ? Failure::swings : Failure::drops;
   const Vec2& a = cause.part.motion.linear;
   const double aside = a.dot(right_of(still.down()));
   if (std::abs(aside) > no_motion * a.norm()) cause.sense = sign(aside);
@@ -154,7 +155,7 @@ class Mechanism {
  private:
   [[nodiscard]] double size(int cube) const {
     const Twist& a = certificate_.motion[cube];
-    return a.linear.norm() + still_.system.body(cube).size.minCoeff() * std::abs(a.angular);
+    return a.linear.norm() + still_.system.body(cube).smaller_side() * std::abs(a.angular);
   }
   [[nodiscard]] bool closed(int k) const {
     return of_.solution.slacks[k] <= same_motion * largest_;
@@ -185,7 +186,7 @@ class Mechanism {
   [[nodiscard]] MovingPart part(const std::vector<int>& group, int first) const {
     MovingPart part;
     part.motion = certificate_.motion[first];
-    const double turning = still_.system.body(first).size.minCoeff() * part.motion.angular;
+    const double turning = still_.system.body(first).smaller_side() * part.motion.angular;
     if (std::abs(turning) > same_motion * largest_) part.turn = sign(turning);
     for (const int cube : of_.island.cubes) {
       if (group[cube] != first) continue;

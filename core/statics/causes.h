@@ -20,6 +20,7 @@ struct Certificate {
 enum class Failure {
   tips,    ///< over a corner
   slides,  ///< along what it lies on, or it is pressed out
+  swings,  ///< on rods
   drops,   ///< nothing carries it
 };
 

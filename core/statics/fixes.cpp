@@ -21,7 +21,7 @@ double largest(const StillScene& still, const Island& island, const std::vector<
   for (std::size_t k = 0; k < a.size(); ++k)
     e = std::max(e,
                  a[k].linear.norm()
-                     + still.system.body(island.cubes[k]).size.minCoeff() * std::abs(a[k].angular));
+                     + still.system.body(island.cubes[k]).smaller_side() * std::abs(a[k].angular));
   return e;
 }
 
@@ -48,6 +48,7 @@ std::vector<Hold> holds(const StillScene& still,
   double power = 0.0;
   std::vector<Hold> found;
   for (const int cube : cubes) {
+    if (still.system.body(cube).kind == BodyKind::point) continue;  // no corner to hold
     const BodyState& at = still.state[cube];
     const Box box = make_box(at.position, at.angle, still.system.body(cube).size);
     const Twist& a = certificate.motion[cube];

@@ -1,6 +1,7 @@
 #include "core/statics/load_factor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wuerfel {
@@ -10,6 +11,7 @@ namespace {
 constexpr double program_tolerance = 1e-12;
 /// A motion below this share of the largest acceleration at hand is rounding.
 constexpr double at_rest = 1e-11;
+constexpr double nearly_at_rest = 1e-9;
 /// A row carries force above this share of the largest force.
 constexpr double carrying = 1e-9;
 /// A motion keeps clear of a row whose rate is not below this share of its own.
@@ -17,10 +19,21 @@ constexpr double clear = 1e-10;
 /// A load with less than this share of the power it could have has none.
 constexpr double powerless = 1e-9;
 /// How far above the end the rows that carry force there are looked up.
-constexpr double just_above = 1e-6;
+constexpr std::array just_above{1e-6, 1e-5, 1e-4, 1e-3};
+/// An end is known where what is left of the motion is less than the first, and the motion above it
+/// sharper than the second: its error is their quotient.
+constexpr double certain = 1e-14;
+constexpr double sharp = 1e-6;
+constexpr int many_rows = 600;
+constexpr double far_above = 1e-4;
 constexpr int most_cuts = 100;
-/// Of an end, as a share of it.
-constexpr double rounding = 1e-12;
+/// Two exact cuts that differ by no more than this share are the same.
+constexpr double agreeing = 1e-8;
+/// Ends that cross by no more than this share are one point.
+constexpr double one_point = 1e-12;
+/// Of accelerations, relative to the largest, and how many times that a cut may be off.
+constexpr double rounding = 1e-15;
+constexpr double cut_noise = 100.0;
 /// A load so many times as large as the weights drowns them: what it needs to be more is never enough.
 constexpr double drowning = 1e9;
 
@@ -71,13 +84,15 @@ bool LoadFactor::balances(const std::vector<double>& w, const std::vector<double
   for (int k = 0; k < program_.unknowns(); ++k)
     program_.target[k] = (w[k] + s * q[k]) / program_.mass[k];
   const double scale = largest(program_.target);
+  unrest_ = 0.0;
   if (scale == 0.0) {
     result_.x.assign(program_.unknowns(), 0.0);
     result_.multiplier.assign(program_.rows(), 0.0);
     return true;
   }
   solver_->solve(program_, result_);
-  return largest(result_.x) <= at_rest * scale;
+  unrest_ = largest(result_.x) / scale;
+  return unrest_ <= at_rest;
 }
 
 /// Whether a row of one sign would close.
@@ -102,6 +117,7 @@ bool LoadFactor::exact_cut(const std::vector<double>& w, const std::vector<doubl
   const double power = dot(q, d_);
   if (power <= powerless * dot(q, program_.target) || hinders(d_)) return false;
   s = -dot(w, d_) / power;
+  sharpness_ = power / dot(q, program_.target);  // |d|_M^2 is <q, d>
   return true;
 }
 
@@ -111,65 +127,82 @@ LoadFactor::Cut LoadFactor::cut(const std::vector<double>& w, const std::vector<
   double of_load = 0.0;
   for (int k = 0; k < program_.unknowns(); ++k)
     of_load += std::abs(q[k] * a[k]);
-  if (power <= powerless * of_load) return {0.0, true};
+  if (power <= powerless * of_load) return {0.0, true, false};
   double s = -dot(w, a) / power;
   double exact = 0.0;
-  if (exact_cut(w, q, exact)) s = std::min(s, exact);
-  return {s, false};
+  sharpness_ = 0.0;
+  // Far above the end a large program does not pay for it.
+  if (program_.rows() > many_rows && unrest_ > far_above) return {s};
+  if (!exact_cut(w, q, exact)) return {s};
+  // What is left of a motion near the end is known to its rounding only.
+  const double noise = cut_noise * std::max(rounding, result_.residual.worst()) / unrest_;
+  if (exact - s > noise * (1.0 + std::abs(s))) return {s};
+  return {exact, false, true};
 }
 
-/// The same end again from the face just above it.
+/// The same end again from the face just above it, so far above that its motion is seen.
 void LoadFactor::confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found) {
-  const double above = found.s + just_above * (1.0 + std::abs(found.s));
   double exact = 0.0;
-  if (balances(w, q, above)) {
+  for (const double step : just_above) {
+    const double above = found.s + step * (1.0 + std::abs(found.s));
     found.error = above - found.s;
-  } else if (exact_cut(w, q, exact)) {
+    if (balances(w, q, above)) continue;
+    if (!exact_cut(w, q, exact)) return;
     found.error = std::abs(found.s - exact);
-    found.s = std::min(found.s, exact);
-  } else {
-    found.error = just_above * std::abs(found.s);
+    if (!found.exact || exact < found.s - agreeing * (1.0 + std::abs(found.s))) found.s = exact;
+    return;
   }
 }
 
-LoadFactor::Top LoadFactor::top(const std::vector<double>& w, const std::vector<double>& q) {
+LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
+                                const std::vector<double>& q,
+                                const KnownCut& known) {
   constexpr double none = -unbounded;
-  const std::vector<double> nothing(q.size(), 0.0);
-  if (balances(q, nothing, 0.0)) return {};
-  Cut next = cut(w, q);
+  Cut next{known.s, false, true};
+  sharpness_ = known.sharpness;
+  if (known.s == unbounded) {
+    const std::vector<double> nothing(q.size(), 0.0);
+    if (balances(q, nothing, 0.0)) return {};
+    next = cut(w, q);
+  }
   Top found{next.s};
   for (int k = 0; k < most_cuts; ++k) {
+    // Where the only s is the one reached, rounding is all that is left of the motion.
+    if (next.none && unrest_ <= nearly_at_rest)
+      return {found.s, unrest_ * (1.0 + std::abs(found.s)), true};
     if (next.none || next.s < -drowning) return {none};
+    const double step = found.s - next.s;
     found.s = next.s;
-    if (balances(w, q, found.s)) {
-      confirm(w, q, found);
+    found.exact = next.exact;
+    // No cut goes below this one, or there are forces.
+    const bool last = k > 0 && step <= 1e-14 * std::abs(found.s);
+    if (last || balances(w, q, found.s)) {
+      if (last || unrest_ > certain || sharpness_ < sharp) confirm(w, q, found);
       return found;
     }
     next = cut(w, q);
-    const double step = found.s - next.s;
-    if (!next.none && step <= 1e-14 * std::abs(found.s)) {  // no cut goes below this one
-      confirm(w, q, found);
-      return found;
-    }
   }
   return {none};
 }
 
-LoadRange LoadFactor::range(const std::vector<double>& w, const std::vector<double>& q) {
-  const Top above = top(w, q);
+LoadRange LoadFactor::range(const std::vector<double>& w,
+                            const std::vector<double>& q,
+                            const KnownCut& above_at,
+                            const KnownCut& below_at) {
+  const Top above = top(w, q, above_at);
   if (above.s == -unbounded) return no_load;
-  const Top below = top(w, reversed(q));
+  const Top below = top(w, reversed(q), below_at);
   if (below.s == -unbounded) return no_load;
   if (above.s == unbounded && below.s == unbounded && !balances(w, q, 0.0)) return no_load;
   LoadRange found{-below.s, above.s, std::max(above.error, below.error)};
   // One point, whose two ends rounding has crossed.
-  if (is_empty(found) && found.low - found.high <= rounding * (1.0 + std::abs(found.low)))
+  if (is_empty(found) && found.low - found.high <= one_point * (1.0 + std::abs(found.low)))
     std::swap(found.low, found.high);
   return found;
 }
 
 double LoadFactor::low(const std::vector<double>& w, const std::vector<double>& q) {
-  return -top(w, reversed(q)).s;
+  return -top(w, reversed(q), {}).s;
 }
 
 }  // namespace wuerfel

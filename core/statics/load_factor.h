@@ -36,13 +36,22 @@ struct LoadRange {
 inline constexpr LoadRange no_load{unbounded, -unbounded, 0.0};
 inline bool is_empty(const LoadRange& range) { return range.low > range.high; }
 
+/// A cut that is known before any program is solved: no s above it has forces.
+struct KnownCut {
+  double s = unbounded;
+  double sharpness = 0.0;  ///< <q, a>^2 / (|a|_M |M^-1 q|_M)^2 of the motion a that it comes from
+};
+
 class LoadFactor {
  public:
   /// Generators as rows; bounds and targets are not looked at.
   explicit LoadFactor(const QuadraticProgram& program);
 
   /// Loads (N, N m) as vectors of n. q should be about as large as w.
-  LoadRange range(const std::vector<double>& w, const std::vector<double>& q);
+  LoadRange range(const std::vector<double>& w,
+                  const std::vector<double>& q,
+                  const KnownCut& above = {},
+                  const KnownCut& below = {});
 
   /// The low end alone; infinite where there is no s, -infinite where there is no limit.
   double low(const std::vector<double>& w, const std::vector<double>& q);
@@ -51,12 +60,14 @@ class LoadFactor {
   struct Top {
     double s = unbounded;  ///< the largest one; -infinity: there is none
     double error = 0.0;
+    bool exact = false;  ///< from a motion that is known to its last digits
   };
   struct Cut {
     double s = 0.0;
     bool none = false;  ///< the load cannot help: there is no s below
+    bool exact = false;
   };
-  Top top(const std::vector<double>& w, const std::vector<double>& q);
+  Top top(const std::vector<double>& w, const std::vector<double>& q, const KnownCut& known);
   void confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found);
   Cut cut(const std::vector<double>& w, const std::vector<double>& q);
   bool exact_cut(const std::vector<double>& w, const std::vector<double>& q, double& s);
@@ -67,7 +78,9 @@ class LoadFactor {
 
   QuadraticProgram program_;
   std::unique_ptr<QpSolver> solver_;
-  QpResult result_;  ///< of the last `balances`
+  QpResult result_;         ///< of the last `balances`
+  double unrest_ = 0.0;     ///< its largest acceleration, relative to that of the load
+  double sharpness_ = 0.0;  ///< of the last exact cut, as in KnownCut
   EqualitySolver equalities_;
   std::vector<double> row_norm_;
   std::vector<char> tight_;

@@ -46,14 +46,36 @@ Vec2 middle_of_highest_side(const StillScene& still, int cube) {
   return box.center + box.normal(highest) * box.reach(highest);
 }
 
+/// Load factors over one island, from the cuts of its parts on.
+class IslandLoads {
+ public:
+  IslandLoads(const StillScene& still, const Island& island, Sliding sliding)
+      : IslandLoads(still, island, find_generators(still.system, still.state, island, sliding)) {}
+
+  /// All s with forces that balance the weights and s q.
+  LoadRange range(const Load& q) {
+    Load reverse = q;
+    for (double& x : reverse)
+      x = -x;
+    return factor_.range(weights_, q, motions_.cut(weights_, q), motions_.cut(weights_, reverse));
+  }
+
+ private:
+  IslandLoads(const StillScene& still, const Island& island, const Generators& generators)
+      : factor_(generators.program),
+        weights_(weights(still, island)),
+        motions_(still, island, generators) {}
+
+  LoadFactor factor_;
+  Load weights_;
+  PartMotions motions_;
+};
+
 /// The margins of the cubes of one island.
 class IslandMargins {
  public:
   IslandMargins(const StillScene& still, const IslandForces& of)
-      : still_(still),
-        of_(of),
-        factor_(find_generators(still.system, still.state, of.island, Sliding::given).program),
-        weights_(weights(still, of.island)) {}
+      : still_(still), of_(of), solver_(still, of.island, Sliding::given) {}
 
   LoadRange shift(int cube) {
     if (still_.system.gravity.isZero(0.0)) return {};  // no weight, nowhere
@@ -62,21 +84,20 @@ class IslandMargins {
     // A weight that acts at r turns with det(r, down) times itself.
     const double turn = det(right_of(still_.down()), still_.down());
     const Load q = torque_on(of_.island, cube, lever * turn);
-    return around_zero(scaled(factor_.range(weights_, q), side), of_.rests);
+    return around_zero(scaled(solver_.range(q), side), of_.rests);
   }
 
   LoadRange load(int cube) {
     const double weight = still_.weight(cube);
     const Load q = force_at(still_, of_.island, cube, middle_of_highest_side(still_, cube),
                             weight * still_.down());
-    return around_zero(scaled(factor_.range(weights_, q), weight), of_.rests);
+    return around_zero(scaled(solver_.range(q), weight), of_.rests);
   }
 
  private:
   const StillScene& still_;
   const IslandForces& of_;
-  LoadFactor factor_;
-  Load weights_;
+  IslandLoads solver_;
 };
 
 /// The least shift that changes the verdict of an island, as a share.
@@ -142,11 +163,12 @@ void find_of_bodies(const StillScene& still,
   for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
     const Island& island = still.found.islands[m].island;
     IslandMargins of(still, still.found.islands[m]);
+    const MoveMargins moves(still, settings, m);
     for (BodyMargin& body : margins.bodies) {
       if (!std::ranges::binary_search(island.cubes, body.cube)) continue;
       if (request.shift) body.shift = of.shift(body.cube);
       if (request.load) body.load = of.load(body.cube);
-      if (request.move) body.move = move_range(still, settings, body.cube);
+      if (request.move) body.move = moves.range(body.cube);
       margins.error = std::max({margins.error, body.shift.error, body.load.error, body.move.error});
     }
   }
@@ -170,9 +192,8 @@ LoadRange tilt_range(const StillScene& still, Sliding sliding) {
   for (const IslandForces& of : still.found.islands) {
     for (const int cube : of.island.cubes)
       free[cube] = 0;
-    LoadFactor factor(find_generators(still.system, still.state, of.island, sliding).program);
     const Load q = share_of_weights(still, of.island, right_of(still.down()));
-    range = intersection(range, factor.range(weights(still, of.island), q));
+    range = intersection(range, IslandLoads(still, of.island, sliding).range(q));
     if (is_empty(range)) return no_load;
   }
   if (std::ranges::find(free, 1) != free.end()) return no_load;  // falls freely

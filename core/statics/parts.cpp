@@ -13,7 +13,12 @@ namespace {
 constexpr double upright = 1e-9;
 /// Accelerations below this share of g are rest.
 constexpr double part_rests = 1e-10;
-constexpr double pressing = 1e-9;  ///< share of the largest force
+constexpr double pressing = 1e-9;   ///< share of the largest force
+constexpr double no_slope = 1e-14;  ///< sine of an angle that rounding leaves
+/// A contact closes that does so by more than this share of how far the part reaches.
+constexpr double closing = 1e-12;
+constexpr std::size_t many_cubes = 128;
+constexpr std::size_t few_cubes = 3;
 
 bool has(const std::vector<int>& ascending, int cube) {
   return std::ranges::binary_search(ascending, cube);
@@ -131,6 +136,24 @@ void PartJudge::fall(const Generators& glued, PartStand& part) const {
   if (radius * std::abs(a.angular) <= part_rests * g.norm()) part.pivot.reset();  // slides or falls
 }
 
+/// Where all forces on the part are parallel to its weight: from the first to the last of them.
+std::optional<LoadRange> PartJudge::between_supports(const Generators& glued) const {
+  const double turn = det(right_of(still_->down()), still_->down());
+  LoadRange range{unbounded, -unbounded, 0.0};
+  for (int row = 0; row < glued.program.rows(); ++row) {
+    const std::span<const double> J = glued.program.entry(row);
+    const Vec2 n(J[0], J[1]);
+    const double up = -n.dot(still_->down());
+    if (glued.program.is_equality(row) || std::abs(det(n, still_->down())) > no_slope * n.norm()
+        || up <= 0.0)
+      return std::nullopt;
+    const double place = -J[2] / up / turn;
+    range.low = std::min(range.low, place);
+    range.high = std::max(range.high, place);
+  }
+  return range;
+}
+
 PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   PartStand part;
   part.cubes = cubes;
@@ -153,8 +176,11 @@ PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   for (const ForceShare& share : glued.share) {
     if (share.contact >= 0) add_once(share.contact, part.held_by);
   }
-  fall(glued, part);
-  if (shift == Shift::ignored || still_->system.gravity.isZero(0.0)) return part;
+  const bool weighs = !still_->system.gravity.isZero(0.0);
+  const std::optional<LoadRange> between = weighs ? between_supports(glued) : std::nullopt;
+  if (!between || !between->contains(0.0)) fall(glued, part);
+  if (between) part.shift = *between;
+  if (between || shift == Shift::ignored || !weighs) return part;
   if (shift == Shift::of_what_falls && part.stands()) return part;
   // A weight that acts one radius of gyration to the right turns with det(right, down) times itself.
   const double radius = std::sqrt(inertia / part.mass);
@@ -165,6 +191,106 @@ PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   part.shift.low *= radius;
   part.shift.high *= radius;
   return part;
+}
+
+PartMotions::PartMotions(const StillScene& still,
+                         const Island& island,
+                         const Generators& generators)
+    : still_(&still), island_(&island), mass_(generators.program.mass) {
+  for (const std::vector<int>& cubes : carried_parts(still, island)) {
+    std::vector<int> places;
+    for (const int cube : cubes)
+      places.push_back(
+          static_cast<int>(std::ranges::lower_bound(island.cubes, cube) - island.cubes.begin()));
+    parts_.push_back(std::move(places));
+  }
+  // Of large piles the smallest parts alone: all of them would grow as the square of the pile.
+  const bool large = island.cubes.size() > many_cubes;
+  for (int part = 0; part < static_cast<int>(parts_.size()); ++part)
+    if (!large || parts_[part].size() <= few_cubes) add_of_part(part, generators);
+}
+
+/// About every contact that holds the part, both ways, and to both sides.
+void PartMotions::add_of_part(int part, const Generators& generators) {
+  const auto inside = [&](int body) {
+    const auto at = std::ranges::lower_bound(island_->cubes, body);
+    return at != island_->cubes.end() && *at == body
+           && has(parts_[part], static_cast<int>(at - island_->cubes.begin()));
+  };
+  std::vector<int> rows;
+  std::vector<int> held;
+  for (int row = 0; row < generators.program.rows(); ++row) {
+    const int contact = generators.share[row].contact;
+    if (contact < 0) {
+      rows.push_back(row);
+      continue;
+    }
+    const Contact& c = island_->contacts[contact];
+    if (inside(c.on) == inside(c.from)) continue;
+    rows.push_back(row);
+    add_once(contact, held);
+  }
+  for (const double sense : {1.0, -1.0}) {
+    for (const int k : held)
+      add({part, island_->contacts[k].point, {Vec2::Zero(), sense}}, rows, generators.program);
+    add({part, Vec2::Zero(), {sense * right_of(still_->down()), 0.0}}, rows, generators.program);
+  }
+}
+
+Twist PartMotions::of_cube(const Motion& motion, int place) const {
+  const Vec2 arm = still_->state[island_->cubes[place]].position - motion.center;
+  return {motion.twist.linear + motion.twist.angular * perp(arm), motion.twist.angular};
+}
+
+/// Keeps a motion that no row hinders.
+void PartMotions::add(const Motion& motion,
+                      const std::vector<int>& rows,
+                      const QuadraticProgram& program) {
+  double reach = 0.0;
+  for (const int place : parts_[motion.part])
+    reach = std::max(reach, of_cube(motion, place).linear.norm());
+  for (const int row : rows) {
+    double rate = 0.0;
+    for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
+      if (!has(parts_[motion.part], program.entry_block[e])) continue;
+      const Twist twist = of_cube(motion, program.entry_block[e]);
+      const std::span<const double> J = program.entry(e);
+      rate += J[0] * twist.linear.x() + J[1] * twist.linear.y() + J[2] * twist.angular;
+    }
+    if (rate < -closing * reach || (program.is_equality(row) && rate > closing * reach)) return;
+  }
+  motions_.push_back(motion);
+}
+
+double PartMotions::power(const Motion& motion, const Load& load) const {
+  double sum = 0.0;
+  for (const int place : parts_[motion.part]) {
+    const Twist twist = of_cube(motion, place);
+    sum += load[3 * place] * twist.linear.x() + load[3 * place + 1] * twist.linear.y()
+           + load[3 * place + 2] * twist.angular;
+  }
+  return sum;
+}
+
+KnownCut PartMotions::cut(const Load& w, const Load& q) const {
+  double size = 0.0;  // |M^-1 q|_M^2
+  for (std::size_t k = 0; k < q.size(); ++k)
+    size += q[k] * q[k] / mass_[k];
+  KnownCut best;
+  for (const Motion& motion : motions_) {
+    const double of_load = power(motion, q);
+    if (of_load <= 0.0) continue;
+    const double s = -power(motion, w) / of_load;
+    if (s >= best.s) continue;
+    double square = 0.0;
+    for (const int place : parts_[motion.part]) {
+      const Twist twist = of_cube(motion, place);
+      square += mass_[3 * place] * twist.linear.squaredNorm()
+                + mass_[3 * place + 2] * twist.angular * twist.angular;
+    }
+    best = {s, of_load * of_load / (square * size)};
+  }
+  return best;
 }
 
 }  // namespace wuerfel

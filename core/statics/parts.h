@@ -23,6 +23,7 @@ struct PartStand {
   LoadRange shift;           ///< m, of its centre to the right, so that it stands; may be empty
   Twist motion;              ///< m/s^2, rad/s^2, of the whole as it would fall; zero: it stands
   std::vector<int> held_by;  ///< contacts of the island with the rest
+  bool on_rods = false;      ///< rods join it to the rest
   std::vector<int> presses;  ///< those of them that carry force when it falls
   std::optional<int> pivot;  ///< the contact it tips about; none: it slides or falls freely
   [[nodiscard]] bool stands() const { return motion.linear.isZero(0.0) && motion.angular == 0.0; }
@@ -41,11 +42,39 @@ class PartJudge {
   [[nodiscard]] bool is_inner(const PartStand& part, int row) const;
   void glue_rows(PartStand& part, Generators& glued) const;
   void fall(const Generators& glued, PartStand& part) const;
+  [[nodiscard]] std::optional<LoadRange> between_supports(const Generators& glued) const;
   [[nodiscard]] Load weight_of(const PartStand& part) const;
 
   const StillScene* still_;
   const Island* island_;
   Generators generators_;
+};
+
+/// Motions of one part that no contact hinders, about a point where it is held or to the side. Each is
+/// a cut for any load, and in plain stacks the one that counts.
+class PartMotions {
+ public:
+  PartMotions(const StillScene& still, const Island& island, const Generators& generators);
+
+  /// The least s that one of them cuts off w + s q.
+  [[nodiscard]] KnownCut cut(const Load& w, const Load& q) const;
+
+ private:
+  struct Motion {
+    int part = 0;
+    Vec2 center = Vec2::Zero();  ///< m, where `twist` is that of the part
+    Twist twist;
+  };
+  void add_of_part(int part, const Generators& generators);
+  void add(const Motion& motion, const std::vector<int>& rows, const QuadraticProgram& program);
+  [[nodiscard]] Twist of_cube(const Motion& motion, int place) const;
+  [[nodiscard]] double power(const Motion& motion, const Load& load) const;
+
+  const StillScene* still_;
+  const Island* island_;
+  std::vector<double> mass_;             ///< of the unknowns
+  std::vector<std::vector<int>> parts_;  ///< places of the cubes in the island
+  std::vector<Motion> motions_;
 };
 
 }  // namespace wuerfel

@@ -41,4 +41,13 @@ StillScene still_scene(const Scene& scene, const MotionSettings& settings) {
   return still_scene(make_system(scene), initial_state(scene), settings);
 }
 
+StillScene stopped_scene(const Scene& scene, const MotionSettings& settings) {
+  State state = initial_state(scene);
+  for (BodyState& s : state) {
+    s.velocity.setZero();
+    s.spin = 0.0;
+  }
+  return still_scene(make_system(scene), state, settings);
+}
+
 }  // namespace wuerfel

@@ -32,6 +32,9 @@ struct StillScene {
 /// Of a scene that `check` accepts.
 StillScene still_scene(const Scene& scene, const MotionSettings& settings);
 
+/// Of one that stands still once the impacts at its start are over, as `check` tells: of its place.
+StillScene stopped_scene(const Scene& scene, const MotionSettings& settings);
+
 /// Of the same bodies elsewhere.
 StillScene still_scene(const System& system, const State& state, const MotionSettings& settings);
 

@@ -1,7 +1,9 @@
 #include "core/time/bookkeeping.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/solves.h"
 
 namespace wuerfel {
@@ -45,6 +47,24 @@ std::string_view to_string(EventKind kind) {
   return "?";
 }
 
+std::string_view to_string(Promise promise) {
+  switch (promise) {
+    case Promise::programs:
+      return "programs";
+    case Promise::events:
+      return "events";
+    case Promise::friction:
+      return "friction";
+    case Promise::overlap:
+      return "overlap";
+    case Promise::energy:
+      return "energy";
+    case Promise::momentum:
+      return "momentum";
+  }
+  return "?";
+}
+
 void note_overlap(double depth, double side, Audit& audit) {
   audit.max_penetration = std::max(audit.max_penetration, depth);
   audit.max_overlap = std::max(audit.max_overlap, depth / side);
@@ -65,6 +85,18 @@ void add(const Bookkeeping& more, Bookkeeping& book) {
   book.losses.insert(book.losses.end(), more.losses.begin(), more.losses.end());
   add_audit(more.audit, book.audit);
   book.cost = sum_of(book.cost, more.cost);
+  book.breaches.insert(book.breaches.end(), more.breaches.begin(), more.breaches.end());
+  book.settled += more.settled;
+  book.unexplained += more.unexplained;
+}
+
+void note_unexplained(const MomentumScale& scale, Bookkeeping& book) {
+  const Push& sum = book.unexplained;
+  Audit& audit = book.audit;
+  audit.momentum_linear = std::max(audit.momentum_linear, sum.linear.norm() / scale.linear);
+  audit.momentum_settled =
+      std::max(audit.momentum_settled, book.settled.linear.norm() / scale.linear);
+  audit.momentum_angular = std::max(audit.momentum_angular, std::abs(sum.angular) / scale.angular);
 }
 
 void keep_cost(const Solves& solves, Bookkeeping& book) {

@@ -5,11 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/dynamics/push.h"
 #include "core/geometry/vec2.h"
 
 namespace wuerfel {
 
 struct IslandSolution;
+struct MomentumScale;
 struct Solves;
 
 enum class EventKind { impact, touch, release, slide_off, stick, slip, jam, rest };
@@ -31,6 +33,17 @@ struct Loss {
   double energy = 0.0;    ///< J
   bool friction = false;  ///< taken by friction
   double since = 0.0;     ///< s, of friction
+};
+
+/// What a run promises of itself.
+enum class Promise { programs, events, friction, overlap, energy, momentum };
+std::string_view to_string(Promise promise);
+
+/// A promise that was broken: within the step that begins at t, by one of these bodies.
+struct Breach {
+  Promise promise = Promise::programs;
+  double t = 0.0;  ///< s
+  std::vector<std::string> bodies;
 };
 
 /// Invariants kept book of in every run.
@@ -57,6 +70,14 @@ struct Audit {
   double energy_end = 0.0;     ///< J
   double impact_loss = 0.0;    ///< J, taken by impacts
   double friction_loss = 0.0;  ///< J
+  // The largest change of the momenta of all cubes that neither gravity nor fixed bodies account for,
+  // as a share of MomentumScale (core/dynamics/momentum_balance.h).
+  double momentum_linear = 0.0;
+  double momentum_angular = 0.0;
+  /// The sum of what fixed bodies gave beyond the impulses of programs, where steps put energy and
+  /// gaps right; a share of the same.
+  double momentum_settled = 0.0;
+  double momentum_budget = 0.0;  ///< what the method promises of the first two; 0: nothing yet
   [[nodiscard]] double drift() const {
     return energy_end + impact_loss + friction_loss - energy_start;
   }
@@ -86,10 +107,16 @@ struct Bookkeeping {
   std::vector<Loss> losses;
   Audit audit;
   Cost cost;
+  std::vector<Breach> breaches;
+  Push settled;      ///< by fixed bodies, where steps put energy and gaps right
+  Push unexplained;  ///< changes of the momenta of the cubes that nothing accounts for, up to now
 };
 
 /// Adds what was booked of a part, or of a stretch, of the motion.
 void add(const Bookkeeping& more, Bookkeeping& book);
+
+/// Audits what is unexplained up to now, as shares of the scale.
+void note_unexplained(const MomentumScale& scale, Bookkeeping& book);
 
 /// Books programs that were solved, and how well; or only what they cost, where the answer is judged
 /// by what it leads to.

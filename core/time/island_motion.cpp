@@ -7,6 +7,7 @@
 
 #include "core/dynamics/rod_rows.h"
 #include "core/geometry/union_find.h"
+#include "core/time/promises.h"
 
 namespace wuerfel {
 namespace {
@@ -76,12 +77,9 @@ double free_fall(const System& system, const State& start, const Scales& scales)
 
 IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, const State& start)
     : system_(&system), settings_(settings) {
-  scales_ = scales_of(system, start);
+  set_units(start);
   length_ = first_window * scales_.time;
-  in_motion_ = kinetic_energy(system, start) + scales_.weight * free_fall(system, start, scales_);
-  budget_ = drift_share * settings.tolerance * in_motion_;
-  bounds_.resize(system.cubes);
-  group_of_.assign(start.size(), -1);
+  momentum_ = momentum_scale(system, start, scales_.speed);
   resting_.assign(start.size(), 0);
   stepping_.resize(start.size());
   // At the start bodies touch by the scene's tolerance; those that do belong together.
@@ -91,6 +89,39 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
   regroup(start, parts);
   commit();
   advance_to(0.0);
+}
+
+IslandMotion::IslandMotion(const System& system,
+                           const MotionSettings& settings,
+                           const State& start,
+                           const RestartPoint& point)
+    : system_(&system),
+      settings_(settings),
+      resting_(point.resting),
+      stepping_(point.stepping),
+      begin_(point.t),
+      end_(point.t),
+      length_(point.window),
+      momentum_(point.momentum),
+      hash_(point.hash),
+      time_(point.t),
+      computed_(point.book) {
+  set_units(start);
+  resting_.resize(start.size());
+  stepping_.resize(start.size());
+  begin_window(point.state);
+  move_groups();
+  commit();
+  advance_to(point.t);
+}
+
+void IslandMotion::set_units(const State& start) {
+  scales_ = scales_of(*system_, start);
+  in_motion_ =
+      kinetic_energy(*system_, start) + scales_.weight * free_fall(*system_, start, scales_);
+  budget_ = drift_share * settings_.tolerance * in_motion_;
+  bounds_.resize(start.size());
+  group_of_.assign(start.size(), -1);
 }
 
 void IslandMotion::advance_to(double t) {
@@ -130,6 +161,8 @@ const Bookkeeping& IslandMotion::book() {
   shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact_loss_ + friction)
                                             + uneven_share * under_way
                                       : budget_ * (1.0 + time_ / scales_.time);
+  shown_.audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
+  shown_.breaches = computed_.breaches;
   return shown_;
 }
 
@@ -217,13 +250,18 @@ void IslandMotion::next_window() {
     commit();
     return;
   }
-  begin_window();
+  const State state = end_window();
+  if (work_ >= work_between_restarts) restart(state);
+  begin_window(state);
   move_groups();
   commit();
 }
 
-void IslandMotion::begin_window() {
-  const State state = state_at(begin_);
+/// The state at the end of the last window, and what is known of it.
+State IslandMotion::end_window() {
+  State state = state_at(begin_);
+  momentum_.include(momentum_scale(*system_, state, scales_.speed));
+  hash_.add(begin_, state);
   for (Group& group : groups_) {
     group.track->forget_before(begin_);
     for (std::size_t m = 0; m < group.cubes.size(); ++m) {
@@ -232,6 +270,18 @@ void IslandMotion::begin_window() {
       stepping_[cube] = group.track->stepping();
     }
   }
+  return state;
+}
+
+/// Groups forget what they and their solvers remember: from here on the motion goes by what is told.
+void IslandMotion::restart(const State& state) {
+  groups_.clear();
+  work_ = 0;
+  if (listener())
+    listener()({begin_, state, computed_, hash_, momentum_, length_, resting_, stepping_, 0});
+}
+
+void IslandMotion::begin_window(const State& state) {
   // The longest window in which nobody meets anybody who is not met in the shortest one either.
   const double shortest = shortest_window * scales_.time;
   std::vector<std::vector<int>> least;
@@ -303,6 +353,7 @@ void IslandMotion::move_groups() {
       Track& track = *group.track;
       while (track.clock() < end_) {
         beat();
+        work_ += static_cast<long>(group.cubes.size());
         track.advance(alone ? forever : end_);
       }
       if (alone) end_ = track.clock();
@@ -354,6 +405,7 @@ void IslandMotion::commit() {
                    [](const Event& a, const Event& b) { return a.t < b.t; });
   std::stable_sort(computed_.losses.begin() + static_cast<std::ptrdiff_t>(first_loss),
                    computed_.losses.end(), [](const Loss& a, const Loss& b) { return a.t < b.t; });
+  note_unexplained(momentum_, computed_);
 }
 
 }  // namespace wuerfel

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/dynamics/momentum_balance.h"
 #include "core/time/motion.h"
 #include "core/time/track.h"
 
@@ -17,13 +18,21 @@ namespace wuerfel {
 /// somebody looks, so that looking does not change the motion.
 class IslandMotion final : public Motion {
  public:
+  /// The motion from `start` at t = 0 on.
   IslandMotion(const System& system, const MotionSettings& settings, const State& start);
+  /// The same motion taken up again.
+  IslandMotion(const System& system,
+               const MotionSettings& settings,
+               const State& start,
+               const RestartPoint& point);
 
   void advance_to(double t) override;
   [[nodiscard]] double time() const override { return time_; }
+  [[nodiscard]] double reached() const override { return begin_; }
   const State& state() override;
   std::vector<Contact> loaded() override;
   [[nodiscard]] const Bookkeeping& book() override;
+  [[nodiscard]] StateHash hash() const override { return hash_; }
 
  private:
   struct Group {
@@ -32,7 +41,10 @@ class IslandMotion final : public Motion {
     std::unique_ptr<Track> track;
   };
   void next_window();
-  void begin_window();
+  void set_units(const State& start);
+  State end_window();
+  void begin_window(const State& state);
+  void restart(const State& state);
   void move_groups();
   [[nodiscard]] State state_at(double t);
   void predict(const State& state, double length);
@@ -56,6 +68,9 @@ class IslandMotion final : public Motion {
   double length_ = 0.0;     ///< s, of the next window
   double in_motion_ = 0.0;  ///< J, at the start
   double budget_ = 0.0;     ///< J, of drift per L / V
+  MomentumScale momentum_;  ///< the largest up to now
+  StateHash hash_;          ///< of the states at the ends of windows
+  long work_ = 0;           ///< steps times cubes since the last restart
   double time_ = 0.0;       ///< s, where the motion is looked at
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while

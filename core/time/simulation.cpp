@@ -16,12 +16,15 @@ namespace {
 /// Share of the smaller side below which a cube has not moved.
 constexpr double moved_share = 1e-9;
 
+/// `more`: where the motion is taken up again, a restart point.
+template <typename... More>
 std::unique_ptr<Motion> make_motion(const System& system,
                                     const MotionSettings& settings,
-                                    const State& start) {
+                                    const State& start,
+                                    const More&... more) {
   if (policy_of(settings).method == MotionPolicy::Method::groups)
-    return std::make_unique<IslandMotion>(system, settings, start);
-  return std::make_unique<FixedStepMotion>(system, settings, start);
+    return std::make_unique<IslandMotion>(system, settings, start, more...);
+  return std::make_unique<FixedStepMotion>(system, settings, start, more...);
 }
 
 void add(const LookCost& more, LookCost& cost) {
@@ -42,19 +45,23 @@ struct Simulation::Impl {
   ForceFinder finder;
   LookCost look_cost;
 
-  Impl(const Scene& s, const MotionSettings& settings)
+  template <typename... More>
+  Impl(const Scene& s, const MotionSettings& settings, const More&... more)
       : scene(s),
         system(make_system(s)),
         start(start_state(s)),
         energy_start(energy(system, start)),
-        motion(make_motion(system, settings, start)),
+        motion(make_motion(system, settings, start, more...)),
         finder(system, settings) {
     require_consistent_rods(system, motion->state());
   }
 
   /// What touches and presses where the motion is. The motion and its books do not notice.
   const InstantForces& look(Detail detail) {
-    const InstantForces& found = finder.at(motion->state(), detail, motion->loaded());
+    return look(motion->state(), motion->loaded(), detail);
+  }
+  const InstantForces& look(const State& state, const std::vector<Contact>& loaded, Detail detail) {
+    const InstantForces& found = finder.at(state, detail, loaded);
     add(found.cost, look_cost);
     return found;
   }
@@ -62,6 +69,11 @@ struct Simulation::Impl {
 
 Simulation::Simulation(const Scene& scene, const MotionSettings& settings)
     : impl_(std::make_unique<Impl>(scene, settings)) {}
+Simulation::Simulation(const Scene& scene,
+                       const MotionSettings& settings,
+                       std::string_view restart_point)
+    : impl_(std::make_unique<Impl>(
+        scene, settings, restart_point_of(restart_point, scene.cubes.size()))) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -72,7 +84,14 @@ void Simulation::set_pulse(std::function<void()> pulse) {
   impl_->motion->set_pulse(std::move(pulse));
 }
 
+void Simulation::set_restart_listener(std::function<void(std::string restart_point)> listener) {
+  impl_->motion->set_restart_listener(
+      [listener = std::move(listener)](const RestartPoint& point) { listener(to_bytes(point)); });
+}
+
 double Simulation::time() const { return impl_->motion->time(); }
+
+double Simulation::reached() const { return impl_->motion->reached(); }
 
 const State& Simulation::states() const { return impl_->motion->state(); }
 
@@ -85,6 +104,14 @@ Audit Simulation::audit() const {
   return audit;
 }
 
+const std::vector<Breach>& Simulation::breaches() const { return impl_->motion->book().breaches; }
+
+std::uint64_t Simulation::state_hash() const {
+  StateHash hash = impl_->motion->hash();
+  hash.add(time(), states());
+  return hash.value();
+}
+
 const Cost& Simulation::cost() const { return impl_->motion->book().cost; }
 
 const LookCost& Simulation::look_cost() const { return impl_->look_cost; }
@@ -93,6 +120,19 @@ Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
   Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, impl_->motion->state(),
                                     impl_->look(detail_of(request)), request);
   snapshot.time = time();
+  snapshot.energy_start = impl_->energy_start;
+  return snapshot;
+}
+
+Moment Simulation::moment() const {
+  return {time(), impl_->motion->state(), to_bytes(impl_->motion->loaded())};
+}
+
+Snapshot Simulation::snapshot(const Moment& moment, const SnapshotRequest& request) const {
+  const InstantForces& found = impl_->look(
+      moment.state, contacts_of(moment.loaded, impl_->system.count()), detail_of(request));
+  Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, moment.state, found, request);
+  snapshot.time = moment.t;
   snapshot.energy_start = impl_->energy_start;
   return snapshot;
 }

@@ -1,6 +1,7 @@
 /// Simulation: a scene in motion. The façade that programs use: make one, advance it, look at it.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,10 +17,20 @@
 
 namespace wuerfel {
 
+/// What can be seen at an instant.
+struct Moment {
+  double t = 0.0;  ///< s
+  State state;
+  std::string loaded;  ///< contacts that carried load in a step in which t lies, as bytes
+};
+
 class Simulation {
  public:
   /// Throws SceneError where bodies overlap. An impact at the start is applied at once.
   Simulation(const Scene& scene, const MotionSettings& settings);
+  /// The same taken up again at a restart point: goes on to the same bits.
+  /// Throws RestartError (core/time/restart_point.h) where the bytes are none.
+  Simulation(const Scene& scene, const MotionSettings& settings, std::string_view restart_point);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -32,16 +43,30 @@ class Simulation {
   /// then.
   void set_pulse(std::function<void()> pulse);
 
+  /// At instants that depend on the motion alone it forgets what solvers remember and goes by what
+  /// stands in a restart point. `listener` is told of each; all looks up to now lie before it.
+  void set_restart_listener(std::function<void(std::string restart_point)> listener);
+
   [[nodiscard]] double time() const;
+  /// How far the motion has been computed: what somebody who waits for `advance_to` can be told.
+  [[nodiscard]] double reached() const;
   /// One per cube, in the order of Scene::cubes.
   [[nodiscard]] const State& states() const;
   [[nodiscard]] const std::vector<Event>& events() const;
   [[nodiscard]] Audit audit() const;
+  /// Promises that were broken, in no order: programs, events, friction and overlap.
+  [[nodiscard]] const std::vector<Breach>& breaches() const;
+  /// A number for the states up to time(): equal where every bit of them is, however often and at what
+  /// was looked.
+  [[nodiscard]] std::uint64_t state_hash() const;
   /// Of the motion, whoever looked at it how often.
   [[nodiscard]] const Cost& cost() const;
   /// Of the looks: what `snapshot` and `at_rest` took.
   [[nodiscard]] const LookCost& look_cost() const;
   [[nodiscard]] Snapshot snapshot(const SnapshotRequest& request) const;
+  /// What `snapshot` sees now, to be seen again whenever that is.
+  [[nodiscard]] Moment moment() const;
+  [[nodiscard]] Snapshot snapshot(const Moment& moment, const SnapshotRequest& request) const;
   /// Names of cubes that have moved by more than rounding since the start.
   [[nodiscard]] std::vector<std::string> moved() const;
   /// Whether every cube stands still and would go on to: certified, as in `check`.

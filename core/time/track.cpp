@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/dynamics/momentum_balance.h"
+#include "core/time/promises.h"
+
 namespace wuerfel {
 namespace {
 
@@ -99,6 +102,7 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
   events_.start(still, t, limits, {}, found);
   if (!events_.at_rest()) return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
+  found.settled += unexplained(*system_, state, still, 0.0, {});
   add(found, book);
   return true;
 }
@@ -118,16 +122,28 @@ const State& Track::state() const { return stepping_ ? steps_->state() : events_
 const std::vector<char>& Track::resting() const { return stepping_ ? moving_ : events_.resting(); }
 
 void Track::advance(double limit) {
-  if (stepping_) {
-    step(limit);
-    return;
-  }
+  const Audit before = book_.audit;
+  const double t = clock();
+  stepping_ ? step(limit) : follow_events(limit);
+  if (broken_promises(book_.audit) != broken_promises(before))
+    note_breaches(before, t, moving_names(), book_);
+}
+
+std::vector<std::string> Track::moving_names() const {
+  std::vector<std::string> names;
+  for (int i = 0; i < system_->cubes; ++i)
+    if (resting()[i] == 0) names.push_back(system_->body(i).name);
+  return names;
+}
+
+void Track::follow_events(double limit) {
   const State start = events_.state();
   const double t = events_.clock();
   const std::size_t pieces = pieces_.size();
   const std::size_t logged = book_.events.size();
   const std::size_t lost = book_.losses.size();
   const Audit before = book_.audit;
+  const Push unexplained_before = book_.unexplained;
   book_.audit.max_overlap = 0.0;
   events_.advance(limit, pieces_, book_);
   if (leaves_overlap(before)) {
@@ -137,6 +153,7 @@ void Track::advance(double limit) {
     book_.audit.searches_given_up = given_up;
     book_.events.resize(logged);
     book_.losses.resize(lost);
+    book_.unexplained = unexplained_before;
     pieces_.resize(pieces);
     hand_over(start, t);
     return;
@@ -235,6 +252,7 @@ void Track::hand_back() {
   const State state = steps_->with_closed_gaps();
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
+  book_.settled += unexplained(*system_, steps_->state(), state, 0.0, {});
   // Gaps of contacts under load have been closed to rounding.
   events_.start(state, clock_, {touching_tolerance, rest_speed}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());

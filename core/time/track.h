@@ -8,6 +8,7 @@
 
 #include "core/time/events/event_motion.h"
 #include "core/time/policy.h"
+#include "core/time/restart_point.h"
 #include "core/time/stepping/controlled_stepping.h"
 #include "core/time/stepping/step_look.h"
 
@@ -29,11 +30,7 @@ class Track {
  public:
   Track(const System& system, const MotionSettings& settings);
 
-  /// Where a stepping that was begun would end, and how long the next one lasts.
-  struct Stepping {
-    double until = -1.0;  ///< s; in the past where there is none
-    int patience = 1;     ///< frames
-  };
+  using Stepping = wuerfel::Stepping;
 
   /// The motion begins at time t. `touching` is the share of the smaller side up to which bodies
   /// touch (0: to rounding); `resting` are the cubes known to be at rest; `stepping` goes on where
@@ -67,6 +64,8 @@ class Track {
 
  private:
   [[nodiscard]] std::ptrdiff_t piece_at(double t) const;
+  void follow_events(double limit);
+  [[nodiscard]] std::vector<std::string> moving_names() const;
   bool rest_from(const State& state, double t, double touching, Bookkeeping& book);
   void begin_steps(const State& state, double t);
   [[nodiscard]] bool leaves_overlap(const Audit& before);

@@ -142,14 +142,16 @@ DrawList compose_frame(const Snapshot& snapshot,
     part("links", internal::add_links);
   if (parts.has(Layer::joints)) part("pressure", internal::add_pressure);
   if (parts.has(Layer::thrust)) part("thrust", internal::add_thrust);
-  if (parts.has(Layer::normals)) part("normals", internal::add_normals);
   if (parts.has(Layer::forces) && is_crowd(snapshot)) part("chains", internal::add_chains);
   if (parts.has(Layer::forces)) part("impacts", internal::add_impacts);
   list.begin_group("arrows");
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
+  if (parts.has(Layer::normals)) part("normals", internal::add_normals);
   if (parts.has(Layer::contacts)) part("contacts", internal::add_contacts);
   if (parts.has(Layer::points)) part("points", internal::add_points);
-  if (parts.has(Layer::hud)) part("hud", internal::add_hud);
+  if (snapshot.reason) part("reason", internal::add_reason);
+  if (snapshot.reason && parts.has(Layer::hud)) part("words", internal::add_reason_text);
+  if (!snapshot.reason && parts.has(Layer::hud)) part("hud", internal::add_hud);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
   if (parts.has(Layer::names)) add_names(parts);

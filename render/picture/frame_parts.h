@@ -77,6 +77,9 @@ void add_names(const FrameParts& parts);
 void add_hud(const FrameParts& parts);
 /// The foot of the HUD alone.
 void add_legend(const FrameParts& parts);
+/// Marks of Snapshot::reason, and its words in the place of the HUD.
+void add_reason(const FrameParts& parts);
+void add_reason_text(const FrameParts& parts);
 
 /// Arrows of the forces, and dots for those too small for one.
 void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);

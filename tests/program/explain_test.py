@@ -3,7 +3,7 @@ import json
 import math
 import os
 
-from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main
+from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main, png_size, png_texts
 
 G = 9.81
 TOWER = {"version": 1, "plane": [{"name": "floor", "point": [0, 0], "normal": [0, 1]}],
@@ -28,7 +28,7 @@ class Margins(ProgramTest):
         self.assertEqual(margin["tilt"]["given"], {"left": 0.0, "right": 0.0})
         self.assertGreater(margin["tilt"]["no_sliding"]["left"], 0.1)
         top = margin["bodies"]["c3"]
-        self.assertAlmostEqual(top["shift"][0], -0.6, places=12)
+        self.assertAlmostEqual(top["shift"][0], -0.5, places=12)
         self.assertAlmostEqual(top["shift"][1], 0.4, places=12)
         self.assertIsNone(margin["bodies"]["c0"]["load"])  # no limit in the middle
         self.assertAlmostEqual(top["lift"], G, places=8)
@@ -76,9 +76,13 @@ class Margins(ProgramTest):
         self.assertLess(tilt["given"]["left"], math.atan(0.6) + 1e-9)
 
     def test_what_moves_has_none(self):
-        done = self.expect(1, "check", self.scene(LANDING), "--margin", "--json")
+        done = self.expect(1, "check", self.scene(FLYING), "--margin", "--json")
         self.assertNotIn("margin", json.loads(done.stdout))
         self.assertIn("this one moves", done.stderr)
+
+    def test_what_an_impact_at_the_start_has_stopped_stands_there(self):
+        margin = self.check(LANDING, "--margin")["margin"]
+        self.assertEqual(margin["bodies"]["a"]["shift"], [-0.5, 0.5])
 
     def test_names_that_are_not_there(self):
         scene = self.scene(TOWER)
@@ -120,7 +124,7 @@ class Explain(ProgramTest):
         self.assertIn("tips to the right", self.expect(1, "explain", scene).stdout)
         german = self.expect(1, "explain", scene, "--language", "de").stdout
         self.assertIn("kippt nach rechts", german)
-        self.assertIn("0,9", self.expect(1, "explain", scene, "--language", "de").stdout)
+        self.assertIn("1,64 N", self.expect(1, "explain", scene, "--language", "de").stdout)
         self.assertIn("en or de", self.expect(2, "explain", scene, "--language", "fr").stderr)
 
     def test_what_stands_and_what_moves(self):
@@ -144,6 +148,30 @@ class Explain(ProgramTest):
                     self.assertIn(done.returncode, (0, 1), done.stderr)
                     self.assertGreater(len(done.stdout), 10)
                     self.assertNotIn("{", done.stdout)
+
+    def test_a_picture(self):
+        scene = self.scene(FALLING)
+        for name in ("why.png", "why.svg", "why.pdf"):
+            text = self.expect(1, "explain", scene, "-o", name, "--size", "400x300", "--language", "de").stdout
+            self.assertIn("kippt", text)
+            self.assertIn(name, self.files())
+        self.assertEqual(png_size(self.path("why.png")), (400, 300))
+        self.assertIn("--why de", png_texts(self.path("why.png"))["Options"])
+        self.expect(0, "reproduce", "why.png")
+
+    def test_pictures_of_what_stands_and_of_what_moves(self):
+        for scene, code in ((STANDING, 0), (FLYING, 1)):
+            self.expect(code, "explain", self.scene(scene), "-o", "why.png", "--size", "320x180", "--theme", "dark")
+            self.expect(0, "reproduce", "why.png")
+
+    def test_picture_names_that_make_no_sense(self):
+        scene = self.scene(FALLING)
+        for name in ("-", "why.gif", "why", ""):
+            with self.subTest(name=name):
+                self.expect(2, "explain", scene, "-o", name)
+        self.expect(2, "explain", scene, "-o", "why.png", "--size", "3x3")
+        self.assertEqual(self.files(), ["scene.json"])
+        self.assertIn("does nothing", self.expect(1, "explain", scene, "--theme", "dark").stderr)
 
     def test_check_names_the_first_cause(self):
         text = self.expect(1, "check", self.scene(FALLING)).stdout

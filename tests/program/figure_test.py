@@ -71,8 +71,8 @@ class Formats(ProgramTest):
 
     def test_a_figure_is_the_frame_of_its_film(self):
         self.expect(0, "run", self.scene(FALLING), "-o", "f/", "--fps", "60", "--layers", "cubes,forces", *SMALL)
-        self.expect(0, "figure", self.scene(FALLING), "-t", "0.25", "-o", "f.png", "--layers", "cubes,forces", *SMALL)
-        self.assertEqual(self.expect(0, "compare", "f/frame_000015.png", "f.png").stdout, "identical\n")
+        self.expect(0, "figure", self.scene(FALLING), "-t", "0.1", "-o", "f.png", "--layers", "cubes,forces", *SMALL)
+        self.assertEqual(self.expect(0, "compare", "f/frame_000006.png", "f.png").stdout, "identical\n")
 
     def test_options_that_make_no_sense_are_errors(self):
         scene = self.scene(STANDING)

@@ -19,6 +19,8 @@ constexpr double near_delta_fall = 0.1;
 constexpr int most_near_crossings = 100;
 constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
+constexpr int most_crossed_units =
+    200;  ///< beyond them a crossing costs as much as an interior step
 constexpr int crossings_per_contact = 12;
 constexpr int most_crossings = 3000;
 constexpr int most_proximal_steps = 8;
@@ -101,6 +103,7 @@ void CoulombStages::find_modes() {
 
 /// From what is remembered, where few contacts have changed.
 bool CoulombStages::follow_shortly(const FrictionProgram& friction, CoulombResult& result) {
+  if (form_.count() > most_crossed_units) return false;
   const std::vector<Pair> centre = point.l;
   const ModePathOutcome outcome = mode_path_.run(
       form_, modes, point, centre, 0,

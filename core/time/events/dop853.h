@@ -68,6 +68,8 @@ class Dop853 {
       field(stage_state(i, y), k_[i]);
     interpolate(y, result);
   }
+  /// The weights of the stages in `next()`.
+  static std::array<double, stages> stage_weights();
   /// Rates at the stages of the last step, in the order of the method.
   [[nodiscard]] const std::vector<double>& stage(int i) const { return k_[i]; }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
@@ -135,6 +136,8 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   if (forced) phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
   if (event) reach(*event);
   note_step(step, forced, book);
+  book.unexplained +=
+      unexplained(*system_, state(), step.end, step.elapsed, step.push, modes_.resting);
   note_rods(*system_, step.end, book);
   pieces.push_back(last_piece());
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
@@ -165,6 +168,8 @@ void EventMotion::begin_phase(const State& state,
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
+  book.settled += now.settled;
+  book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
   // closed then, some 1e-10 of a side, may lift cubes as well.
   const double loss = energy_before - energy(*system_, phase_.state());

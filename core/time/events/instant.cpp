@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/dynamics/impact.h"
+#include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/time/events/contact_changes.h"
 #include "core/time/events/corrections.h"
@@ -51,6 +52,7 @@ void add_impacts(const System& system,
                  double t,
                  EventKind kind,
                  Instant& now) {
+  now.push += push_of(system, now.state, island, hit.after);
   const double least = hit.after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
@@ -100,14 +102,24 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
       {t, EventKind::rest, system.body(cube).name, system.body(other).name, touching->point, 0.0});
 }
 
+/// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
+void settle(const System& system, const Island& island, const State& before, Instant& now) {
+  const bool fixed = std::ranges::any_of(island.contacts, [&](const Contact& c) {
+    return !system.is_cube(c.on) || !system.is_cube(c.from);
+  });
+  if (fixed) now.settled += unexplained(system, before, now.state, 0.0, {});
+}
+
 /// Makes an island rest. That it does is an event where none of its cubes did before.
 void stop(const System& system, const Island& island, double t, bool is_event, Instant& now) {
+  const State before = now.state;
   for (const int cube : island.cubes) {
     now.state[cube].velocity.setZero();
     now.state[cube].spin = 0.0;
     now.modes.resting[cube] = 1;
     if (is_event) add_rest(system, island, cube, t, now);
   }
+  settle(system, island, before, now);
 }
 
 /// Puts the closed contacts of an island into the modes.
@@ -167,7 +179,9 @@ void happen_to(const Island& island,
       add_impacts(system, island, hit, t, EventKind::jam, now);
       modes = find_modes(island, now.state, scales, true, work);
     }
+    const State before = now.state;
     onto_closed(island, modes.closed, now.state, work);
+    settle(system, island, before, now);
     const ContactLimits after_last{limits.touching, slowest_bounce};
     if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
       stop(system, island, t, !rested && t > 0.0, now);

@@ -109,12 +109,14 @@ void SmoothPhase::begin(const State& state,
   pack(start_, y_);
   equations_(y_, rate_);
   equations_.find_loads(loads_);
+  push_ = equations_.pushed();
 }
 
 /// Evaluates the equations and notes the loads that go with them.
 void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& rate) {
   equations_(y, rate);
   equations_.find_loads(seen_);
+  pushes_.push_back(equations_.pushed());
   step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
                                          -std::numeric_limits<double>::infinity()});
   for (std::size_t k = 0; k < seen_.size(); ++k) {
@@ -123,9 +125,20 @@ void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& ra
   }
 }
 
+/// The method's step, and what fixed bodies did in it.
+void SmoothPhase::take_step(double length) {
+  pushes_.assign(1, push_);
+  method_.step([this](const auto& y, auto& rate) { evaluate(y, rate); }, y_, rate_, length);
+  const auto weights = Dop853::stage_weights();
+  step_.push = {};
+  for (int i = 0; i < Dop853::stages; ++i)
+    step_.push += length * weights[i] * pushes_[i];
+}
+
 const SmoothStep& SmoothPhase::step(double most) {
   step_.load_range.clear();
   step_.followed = true;
+  step_.push = end_push_ = {};
   free() ? fall(most) : integrate(most);
   return step_;
 }
@@ -148,14 +161,13 @@ void SmoothPhase::fall(double most) {
 
 /// Takes the step, shortened until its error is small enough.
 void SmoothPhase::integrate(double most) {
-  const auto field = [this](const auto& y, auto& rate) { evaluate(y, rate); };
   double h = std::min(proposed_, most);
   const bool short_cut = h < proposed_;
   double error = 0.0;
   bool rejected = false;
   while (true) {
     step_.load_range.clear();
-    method_.step(field, y_, rate_, h);
+    take_step(h);
     error = method_.error(error_scale_);
     if (error <= 1.0) break;
     if (h <= shortest_step * scales_.time) {
@@ -182,6 +194,7 @@ void SmoothPhase::complete(double length) {
   equations_.project(step_.end);
   pack(step_.end, step_.y);
   evaluate(step_.y, step_.rate);
+  end_push_ = pushes_.back();
   equations_.find_loads(step_.loads);
   method_.dense(field, y_, step_.rate, step_.motion);
   step_.range.resize(start_.size());
@@ -199,7 +212,7 @@ void SmoothPhase::complete(double length) {
 
 void SmoothPhase::cut(double length) {
   if (!free()) {
-    method_.step([this](const auto& y, auto& rate) { evaluate(y, rate); }, y_, rate_, length);
+    take_step(length);
     complete(length);
     return;
   }
@@ -226,6 +239,7 @@ State SmoothPhase::shifted_end(double time) const {
 void SmoothPhase::shift_end(double time) {
   step_.end = shifted_end(time);
   step_.elapsed += time;
+  step_.push += time * end_push_;
 }
 
 void SmoothPhase::go_on() {
@@ -233,6 +247,7 @@ void SmoothPhase::go_on() {
   y_ = step_.y;
   rate_ = step_.rate;
   loads_ = step_.loads;
+  push_ = end_push_;
 }
 
 void SmoothPhase::loads_at(const State& state, std::vector<double>& loads) {

@@ -31,6 +31,7 @@ struct SmoothStep {
   std::vector<double> y;              ///< the same, packed
   std::vector<double> rate;           ///< and its rate
   std::vector<double> loads;          ///< N, there
+  Push push;                          ///< by fixed bodies, in the step
   /// Whether the error is small enough; else the contacts' rows nearly depend on one another, and
   /// accelerations are no smooth function any more.
   bool followed = true;
@@ -49,6 +50,8 @@ class EquationsOfMotion {
   /// What must stay positive, at the state of the last call: what the closed contacts bear; how far
   /// touches that stick are from slipping; how fast touches slip, from `first_slip` on.
   void find_loads(std::vector<double>& loads) const;
+  /// What fixed bodies do to the moving cubes at the state of the last call, N and N m.
+  [[nodiscard]] Push pushed() const { return contacts_.pushed(state_); }
   [[nodiscard]] int first_slip(const std::vector<double>& loads) const;
   /// Whether some touch slips, so that friction takes energy.
   [[nodiscard]] bool slips() const { return slips_ > 0; }
@@ -112,6 +115,7 @@ class SmoothPhase {
 
  private:
   void evaluate(const std::vector<double>& y, std::vector<double>& rate);
+  void take_step(double length);
   void fall(double most);
   void integrate(double most);
   void complete(double length);
@@ -126,6 +130,9 @@ class SmoothPhase {
   std::vector<double> rate_;  ///< and its rate
   std::vector<double> loads_;
   std::vector<double> seen_;  ///< scratch of `evaluate`
+  Push push_;                 ///< by fixed bodies at the beginning of the next step, N and N m
+  Push end_push_;             ///< and at its end
+  std::vector<Push> pushes_;  ///< at the evaluations since the beginning of the last step
   SmoothStep step_;
   double proposed_ = 0.0;  ///< s, length of the next step
   bool parabolas_ = true;

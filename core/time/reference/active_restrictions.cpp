@@ -5,6 +5,7 @@
 
 #include "core/dynamics/forces_at.h"
 #include "core/dynamics/impact.h"
+#include "core/dynamics/momentum_balance.h"
 
 namespace wuerfel {
 
@@ -13,7 +14,7 @@ ActiveRestrictions::ActiveRestrictions(const System& system, const MotionSetting
 
 void ActiveRestrictions::find(GridPoint& point, Bookkeeping& book) {
   const GridPoint before = std::move(point);
-  point = {before.t, before.state, {}, {}, {}, before.resting};
+  point = {before.t, before.state, {}, {}, {}, before.push, before.resting};
   point.resting.resize(system_->cubes, 0);
   std::vector<Contact> contacts;
   finder_.find(*system_, point.state, contacts);
@@ -64,6 +65,7 @@ void ActiveRestrictions::strike(GridPoint& point,
                                 Bookkeeping& book) {
   const auto [after, loss] = impact(*system_, point.state, island, dynamics_);
   keep_book(after, book);
+  point.push += push_of(*system_, point.state, island, after);
   set_velocities(island, after.twists, point.state);
   book.audit.impact_loss += loss;
   const double least = after.least_pressing();

@@ -1,5 +1,6 @@
 #include "core/time/reference/algorithm_1.h"
 
+#include "core/dynamics/momentum_balance.h"
 #include "core/model/points.h"
 #include "core/time/policy.h"
 
@@ -29,8 +30,10 @@ void Algorithm1::step(GridPoint& point, double dt, Bookkeeping& book) {
   // Bestimme (a_i)
   restrictions_.accelerate(point, book);
   std::vector<Contact> pressed;
-  for (std::size_t m = 0; m < point.islands.size(); ++m)
+  for (std::size_t m = 0; m < point.islands.size(); ++m) {
     add_pressed(point.islands[m], point.solutions[m], pressed);
+    point.push += dt * push_of(*system_, point.state, point.islands[m], point.solutions[m]);
+  }
   // v_{i+1} := v_i + a_i dt,  p_{i+1} := p_i + v_i dt
   integrate(point, dt);
   // Eventuell Längenkorrektur

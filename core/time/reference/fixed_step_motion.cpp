@@ -18,9 +18,44 @@ constexpr double same_time = 1e-9;
 FixedStepMotion::FixedStepMotion(const System& system,
                                  const MotionSettings& settings,
                                  const State& start)
-    : system_(&system), settings_(settings), method_(make_method()) {
-  grid_.state = start;
+    : system_(&system),
+      settings_(settings),
+      method_(make_method()),
+      scales_(scales_of(system, start)),
+      momentum_(momentum_scale(system, start, scales_.speed)) {
+  begin(start);
+}
+
+FixedStepMotion::FixedStepMotion(const System& system,
+                                 const MotionSettings& settings,
+                                 const State& start,
+                                 const RestartPoint& point)
+    : system_(&system),
+      settings_(settings),
+      method_(make_method()),
+      scales_(scales_of(system, start)),
+      momentum_(point.momentum),
+      hash_(point.hash),
+      book_(point.book),
+      whole_steps_(point.steps),
+      time_(point.t) {
+  begin(point.state);
+}
+
+/// The first grid point, of a method that remembers nothing.
+void FixedStepMotion::begin(const State& state) {
+  grid_ = {};
+  grid_.t = static_cast<double>(whole_steps_) * settings_.step;
+  grid_.state = state;
   std::visit([&](auto& method) { method.begin(grid_, book_); }, method_);
+}
+
+void FixedStepMotion::restart() {
+  work_ = 0;
+  if (listener())
+    listener()({grid_.t, grid_.state, book_, hash_, momentum_, 0.0, {}, {}, whole_steps_});
+  method_ = make_method();
+  begin(State(grid_.state));
 }
 
 FixedStepMotion::Method FixedStepMotion::make_method() const {
@@ -35,6 +70,7 @@ void FixedStepMotion::advance_to(double t) {
     beat();
     step();
     grid_.t = static_cast<double>(++whole_steps_) * settings_.step;
+    if (work_ >= work_between_restarts) restart();
   }
   time_ = t;
 }
@@ -46,7 +82,14 @@ void FixedStepMotion::step() {
     book_.cost.skipped_rest += static_cast<long>(grid_.islands.size());
     return;
   }
+  work_ += system_->cubes;
+  const State before = grid_.state;
+  grid_.push = {};
   std::visit([&](auto& method) { method.step(grid_, settings_.step, book_); }, method_);
+  book_.unexplained += unexplained(*system_, before, grid_.state, settings_.step, grid_.push);
+  momentum_.include(momentum_scale(*system_, grid_.state, scales_.speed));
+  note_unexplained(momentum_, book_);
+  hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
 }
 

@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "core/dynamics/momentum_balance.h"
+#include "core/model/scales.h"
 #include "core/time/motion.h"
 #include "core/time/reference/algorithm_1.h"
 #include "core/time/reference/moreau.h"
@@ -11,26 +13,40 @@ namespace wuerfel {
 
 class FixedStepMotion final : public Motion {
  public:
+  /// The motion from `start` at t = 0 on.
   FixedStepMotion(const System& system, const MotionSettings& settings, const State& start);
+  /// The same motion taken up again.
+  FixedStepMotion(const System& system,
+                  const MotionSettings& settings,
+                  const State& start,
+                  const RestartPoint& point);
 
   void advance_to(double t) override;
   [[nodiscard]] double time() const override { return time_; }
+  [[nodiscard]] double reached() const override { return grid_.t; }
   const State& state() override;
   [[nodiscard]] const Bookkeeping& book() override { return book_; }
+  [[nodiscard]] StateHash hash() const override { return hash_; }
 
  private:
   using Method = std::variant<Algorithm1, Moreau>;
   [[nodiscard]] Method make_method() const;
   void step();
+  void restart();
+  void begin(const State& state);
   void note_rods();
 
   const System* system_;
   MotionSettings settings_;
   Method method_;
   GridPoint grid_;
-  State between_;  ///< at `time_`, where that is no grid time; empty until it is asked for
+  Scales scales_;
+  MomentumScale momentum_;  ///< the largest up to now
+  StateHash hash_;          ///< of the grid points
+  State between_;           ///< at `time_`, where that is no grid time; empty until it is asked for
   Bookkeeping book_;
   long whole_steps_ = 0;
+  long work_ = 0;      ///< steps times cubes since the last restart
   double time_ = 0.0;  ///< s, where the motion is looked at
 };
 

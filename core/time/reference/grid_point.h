@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/dynamics/gauss.h"
+#include "core/dynamics/push.h"
 
 namespace wuerfel {
 
@@ -14,6 +15,7 @@ struct GridPoint {
   std::vector<IslandSolution>
       solutions;                     ///< of Eq. (9), one per island; without twists until asked
   std::vector<Twist> accelerations;  ///< one per cube; empty until asked for
+  Push push;                         ///< by fixed bodies, in the step that leads here
   std::vector<char> resting;         ///< per cube: certified, v = 0 and a = 0
 
   [[nodiscard]] bool rests(const Island& island) const;

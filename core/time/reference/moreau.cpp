@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/dynamics/forces_at.h"
+#include "core/dynamics/momentum_balance.h"
 
 namespace wuerfel {
 
@@ -15,10 +16,15 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
     if (point.resting[i] == 0) point.state[i].velocity += dt * system_->gravity;
   }
   std::vector<Contact> pressed;
-  for (const Island& island : point.islands) {
-    if (point.rests(island)) continue;
+  for (std::size_t m = 0; m < point.islands.size(); ++m) {
+    const Island& island = point.islands[m];
+    if (point.rests(island)) {
+      point.push += dt * push_of(*system_, point.state, island, point.solutions[m]);
+      continue;
+    }
     const IslandSolution solution = restrictions_.dynamics().impact(point.state, island);
     keep_book(solution, book);
+    point.push += push_of(*system_, point.state, island, solution);
     set_velocities(island, solution.twists, point.state);
     add_pressed(island, solution, pressed);
   }

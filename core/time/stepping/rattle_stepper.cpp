@@ -7,6 +7,7 @@
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
+#include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/time/stepping/close_gaps.h"
 #include "core/time/stepping/step_books.h"
@@ -15,9 +16,10 @@ namespace wuerfel {
 namespace {
 
 // Shares of the smaller side of a pair.
-constexpr double pressed_share = 1e-3;  ///< contacts that were pressed take part in the velocity program up to here
-constexpr double bent_share = 1e-11;    ///< what sides may miss after the first placement
-constexpr int most_bends = 4;           ///< placements that follow the first one where rods hold
+constexpr double pressed_share =
+    1e-3;  ///< contacts that were pressed take part in the velocity program up to here
+constexpr double bent_share = 1e-11;  ///< what sides may miss after the first placement
+constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
@@ -171,9 +173,10 @@ void RattleStepper::place_island(const Island& island, Step& step) {
     return;
   }
   std::vector<Twist> targets;
-  for (const int cube : island.cubes)
-    targets.push_back(
-        {stride_.h * stride_.half[cube].velocity, stride_.h * stride_.half[cube].spin});
+  for (const int cube : island.cubes) {
+    const BodyState& half = stride_.half[cube];
+    targets.push_back({stride_.h * half.velocity, stride_.h * half.spin});
+  }
   const IslandSolution straight = apart(island, targets, step);
   fly_half(island, straight, step.state);
   // Where something is struck within the step its order is one anyway.
@@ -273,20 +276,57 @@ void RattleStepper::arrive(Step& step, double t) {
   if (!system_->rods.empty())
     step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
   find_touching(step);
+  State flown = step.state;
   keep_turning(*system_, cleaned_, flown_, step.state);
+  for (std::size_t i = 0; i < flown.size(); ++i) {
+    flown[i].position = flown_[i].position;
+    flown[i].angle = flown_[i].angle;
+  }
+  const Push cleaned = unexplained(*system_, flown, step.state, 0.0, {});
   if (system_->bounces) strike_anew(step);
   hit(step);
   step.error = error_of(step.state);
   StepRecord record = record_of(*system_, stride_, step.state);
   step.book.events = impacts_of(*system_, stride_, t);
+  step.book.unexplained =
+      unexplained(*system_, stride_.start, step.state, stride_.h, pushed()) + -1.0 * cleaned;
+  settle(cleaned, record, step.book);
   const bool sways = sway_ > 0.0 && surplus_of(record, step.state) <= 0.0;
+  const State unsettled = step.state;
   step.rise = settle_energy(*system_, stride_, sways, record, step.state);
+  settle(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
   for (const StepComponent& part : record.components) {
     for (const StepLoss& loss : part.losses)
       step.book.losses.push_back({t + loss.share * stride_.h, loss.energy, loss.friction, t});
   }
   std::ranges::stable_sort(step.book.losses, {}, &Loss::t);
   step.record = std::make_shared<const StepRecord>(std::move(record));
+}
+
+/// Books a change of momenta beyond the impulses: of fixed bodies, where they were touched.
+void RattleStepper::settle(const Push& change, const StepRecord& record, Bookkeeping& book) {
+  const bool fixed = std::ranges::any_of(
+      record.components, [](const StepComponent& part) { return !part.fixed_normals.empty(); });
+  (fixed ? book.settled : book.unexplained) += change;
+}
+
+/// What fixed bodies did in the step.
+Push RattleStepper::pushed() const {
+  const Vec2 start = common_center(*system_, stride_.start);
+  const Vec2 end = common_center(*system_, stride_.before);
+  Push sum;
+  for (std::size_t k = 0; k < system_->rods.size(); ++k) {
+    const Rod& rod = system_->rods[k];
+    if (k < stride_.rods_first.size())
+      add_push(stride_.start, start, rod, stride_.rods_first[k], sum);
+    if (k < stride_.rods_second.size())
+      add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
+  }
+  for (const auto& [id, blow] : stride_.blows) {
+    add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
+    add_push(*system_, stride_.before, end, blow.end, blow.second, sum);
+  }
+  return sum;
 }
 
 /// Contacts at the end of the way: what touches there, and what was pressed and is still near.

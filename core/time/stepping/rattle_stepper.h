@@ -77,6 +77,8 @@ class RattleStepper {
   void note_pressed(const Island& island, const IslandSolution& solution);
   void add_blows(const std::vector<Contact>& contacts);
   void arrive(Step& step, double t);
+  [[nodiscard]] Push pushed() const;
+  static void settle(const Push& change, const StepRecord& record, Bookkeeping& book);
   void find_touching(Step& step);
   void strike_anew(Step& step);
   [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;

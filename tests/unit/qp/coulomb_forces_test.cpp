@@ -227,12 +227,12 @@ double energy(const QuadraticProgram& p, const std::vector<double>& x) {
   return sum;
 }
 
-TEST(Restitution, EnergyNeverRisesInRandomImpacts) {
+void expect_no_rise(int count) {
   CoulombSolver solver;
   std::vector<double> e;
   std::vector<double> before;
   int reduced = 0;
-  for (int index = 0; index < 10000; ++index) {
+  for (int index = 0; index < count; ++index) {
     const FrictionCase c = random_impact(index, e, before);
     ImpactResult r;
     solver.forget();
@@ -243,8 +243,13 @@ TEST(Restitution, EnergyNeverRisesInRandomImpacts) {
     if (r.factor < 1.0) ++reduced;
   }
   EXPECT_GT(reduced, 0);
-  EXPECT_LT(reduced, 3000);
+  EXPECT_LT(reduced, 0.3 * count);
 }
+
+TEST(Restitution, EnergyNeverRisesInRandomImpacts) { expect_no_rise(200); }
+
+// Takes minutes: coulomb_test --gtest_also_run_disabled_tests --gtest_filter='*TenThousand*'
+TEST(Restitution, DISABLED_EnergyNeverRisesInTenThousandImpacts) { expect_no_rise(10000); }
 
 TEST(Restitution, BallOnFloor) {
   FrictionBuilder builder({.mu = 0.2});

@@ -7,6 +7,7 @@
 
 #include "core/statics/carried.h"
 #include "core/statics/fixes.h"
+#include "core/statics/margins.h"
 #include "tests/support/reference_case.h"
 #include "tests/support/stacks.h"
 
@@ -80,6 +81,28 @@ TEST(Causes, WhatNothingCarriesDropsAndWhatNothingHoldsSlides) {
   ASSERT_TRUE(slides);
   EXPECT_EQ(slides->failure, Failure::slides);
   EXPECT_FALSE(slides->corner);
+}
+
+TEST(Causes, WhatHangsOnARodSwings) {
+  Scene scene = parse_scene(
+      "version = 1\n[[cube]]\nname = \"a\"\nposition = [1.0, 0.0]\n"
+      "[[rod]]\nfrom = \"a\"\nto = [0.0, 0.0]\n",
+      "pendulum");
+  const std::optional<Cause> swings = first_cause(still(scene));
+  ASSERT_TRUE(swings);
+  EXPECT_EQ(swings->failure, Failure::swings);
+  EXPECT_GT(find_causes(still(scene)).certificate.power, 0.0);
+  scene = parse_scene(
+      "version = 1\n[[cube]]\nname = \"a\"\nposition = [0.0, -2.0]\n"
+      "[[point]]\nname = \"p\"\nposition = [0.0, -4.0]\n"
+      "[[rod]]\nfrom = \"a.n\"\nto = [0.0, 0.0]\n[[rod]]\nfrom = \"a.s\"\nto = \"p\"\n",
+      "hangs");
+  EXPECT_EQ(still(scene).verdict, Verdict::stands);
+  EXPECT_FALSE(first_cause(still(scene)));
+  const Margins margins = find_margins(still(scene), {});
+  ASSERT_EQ(margins.bodies.size(), 2U);
+  EXPECT_TRUE(is_empty(margins.bodies[1].shift));  // a point has no room to shift in
+  EXPECT_NEAR(margins.bodies[0].shift.high - margins.bodies[0].shift.low, 0.0, 1e-12);
 }
 
 void expect_fixes_are_the_smallest(const Scene& scene, std::size_t at_least) {

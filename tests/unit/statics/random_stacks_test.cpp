@@ -16,9 +16,10 @@ constexpr double exact = 1e-9;
 Scene scene_of(const nlohmann::json& stack) {
   std::vector<SceneCube> cubes;
   for (const auto& brick : stack.at("bricks")) {
-    SceneCube c =
-        sized_cube("b" + std::to_string(cubes.size()), {brick[0], brick[1]}, {brick[2], brick[3]});
-    c.mass = brick[4];
+    const auto number = [&](int k) { return brick[k].get<double>(); };
+    SceneCube c = sized_cube("b" + std::to_string(cubes.size()), Vec2(number(0), number(1)),
+                             Vec2(number(2), number(3)));
+    c.mass = number(4);
     cubes.push_back(c);
   }
   return on_floor(cubes);

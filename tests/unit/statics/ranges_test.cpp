@@ -36,10 +36,11 @@ TEST_P(Ranges, HaveAWidthWhereAForceIsNotTheOnlyOne) {
 
 INSTANTIATE_TEST_SUITE_P(Reference,
                          Ranges,
-                         testing::ValuesIn(reference_case_names("qp_geometry",
-                                                                {"hyper_", "pz_n", "pz_triangle",
-                                                                 "pz_diamond2", "pz_diamond3",
-                                                                 "harmonic_N5", "tower_5"})),
+                         testing::ValuesIn(reference_case_names(
+                             "qp_geometry",
+                             {"hyper_", "pz_n", "pz_triangle", "pz_diamond2", "pz_diamond3",
+                              "harmonic_N5_minus1em2", "harmonic_N5_minus1em4",
+                              "harmonic_N5_plus1em2", "tower_5"})),
                          [](const auto& test) { return test_name(test.param); });
 
 TEST(ForceRanges, HaveTheDegreesOfTheReferenceCases) {
@@ -81,7 +82,6 @@ TEST(ForceRanges, OfAFaceHaveAResultantAndACenter) {
   }
 }
 
-// A cube on two supports of unequal height of friction: the table may push on either side.
 TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
   const Scene scene = with_friction(on_floor({cube("a", {0.0, 0.5})}), 0.5);
   const ForceRanges ranges = find_ranges(still_scene(scene, {}));
@@ -95,13 +95,16 @@ TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
   EXPECT_EQ(ranges.degree, 1);
 }
 
-// In a groove the forces of the flanks are a family: the center of pressure runs over the face.
+// In a hyperstatic wall the center of pressure may run over a part of a face.
 TEST(ForceRanges, TheCenterOfPressureHasARange) {
   const ForceRanges ranges =
       find_ranges(still_scene(read_reference_case("hyper_wall_3x3").scene, {}));
   int wide = 0;
   for (const Interface& face : ranges.interfaces) {
-    EXPECT_LE(face.center_range.low, face.center_range.high);
+    if (is_empty(face.center_range)) {  // cubes beside one another
+      EXPECT_LE(face.force_range.high, 1e-9);
+      continue;
+    }
     EXPECT_GE(face.center_range.low, -0.5 * face.length - 1e-9);
     EXPECT_LE(face.center_range.high, 0.5 * face.length + 1e-9);
     wide += face.center_range.high - face.center_range.low > 1e-6 ? 1 : 0;

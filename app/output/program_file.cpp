@@ -1,0 +1,100 @@
+#include "app/output/program_file.h"
+
+#include <map>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/exit_code.h"
+#include "core/qp/qp_solver.h"
+
+namespace wuerfel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_unknowns = 10'000'000;
+
+/// [row, column, value] of the rows of one kind, counted among themselves, and their bounds.
+struct Rows {
+  Json triplets = Json::array();
+  Json bounds = Json::array();
+};
+
+Rows rows_of(const QuadraticProgram& program, bool equalities) {
+  Rows rows;
+  for (int i = 0; i < program.rows(); ++i) {
+    if (program.is_equality(i) != equalities) continue;
+    program.for_each_entry(i, [&](const double* J, int first, int size) {
+      for (int c = 0; c < size; ++c)
+        if (J[c] != 0.0) rows.triplets.push_back({rows.bounds.size(), first + c, J[c]});
+    });
+    rows.bounds.push_back(program.bound[i]);
+  }
+  return rows;
+}
+
+void add_rows(const Json& triplets,
+              const std::vector<double>& bounds,
+              bool equalities,
+              QuadraticProgram& program) {
+  std::map<int, std::map<int, std::vector<double>>> blocks;  // row -> block -> coefficients
+  for (const Json& triplet : triplets) {
+    const int column = triplet.at(1).get<int>();
+    if (column < 0 || column >= program.unknowns())
+      throw UsageError(fmt::format("there is no unknown {}", column));
+    auto& block = blocks[triplet.at(0).get<int>()][column / program.block_size];
+    block.resize(program.block_size, 0.0);
+    block[column % program.block_size] = triplet.at(2).get<double>();
+  }
+  for (int i = 0; i < static_cast<int>(bounds.size()); ++i) {
+    equalities ? program.add_equality(bounds[i]) : program.add_inequality(bounds[i]);
+    for (const auto& [block, coefficients] : blocks[i])
+      program.add_entry(block, coefficients);
+  }
+}
+
+QuadraticProgram program_of(const Json& json) {
+  QuadraticProgram program;
+  const int block_size = json.at("block_size").get<int>();
+  if (block_size < 1 || block_size > 3) throw UsageError("block_size is 1, 2 or 3");
+  program.clear(block_size);
+  program.mass = json.at("M_diag").get<std::vector<double>>();
+  program.target = json.at("F").get<std::vector<double>>();
+  if (program.mass.size() > most_unknowns) throw UsageError("too many unknowns");
+  add_rows(json.at("E_triplets"), json.at("d").get<std::vector<double>>(), true, program);
+  add_rows(json.at("J_triplets"), json.at("b").get<std::vector<double>>(), false, program);
+  if (const std::string_view wrong = defect(program); !wrong.empty())
+    throw UsageError(std::string(wrong));
+  return program;
+}
+
+}  // namespace
+
+std::string program_text(const QuadraticProgram& program) {
+  Rows equalities = rows_of(program, true);
+  Rows inequalities = rows_of(program, false);
+  const Json json{{"block_size", program.block_size},
+                  {"M_diag", program.mass},
+                  {"F", program.target},
+                  {"J_triplets", std::move(inequalities.triplets)},
+                  {"b", std::move(inequalities.bounds)},
+                  {"E_triplets", std::move(equalities.triplets)},
+                  {"d", std::move(equalities.bounds)}};
+  return json.dump() + "\n";
+}
+
+QuadraticProgram parse_program(std::string_view text, const std::string& place) try {
+  return program_of(Json::parse(text));
+} catch (const nlohmann::json::exception& error) {
+  throw UsageError(fmt::format("{}: no program: {}", place, error.what()));
+} catch (const UsageError& error) {
+  throw UsageError(fmt::format("{}: no program: {}", place, error.what()));
+}
+
+void ProgramFile::add(const QuadraticProgram& program) {
+  if (programs_++ < most_programs) file_.write(program_text(program));
+}
+
+}  // namespace wuerfel

@@ -1,0 +1,95 @@
+#include "app/python/scene.h"
+
+#include <pybind11/stl.h>
+
+#include <fmt/format.h>
+
+#include "core/scene/scene_parser.h"
+
+namespace wuerfel::python {
+
+namespace py = pybind11;
+
+namespace {
+
+std::string json_of(const py::handle& value) {
+  return py::str(py::module_::import("json").attr("dumps")(value));
+}
+
+// Text has line breaks or braces; a name or a path has none.
+bool is_text(const std::string& source) { return source.find_first_of("\n{") != std::string::npos; }
+
+SceneText text_of(const py::object& source) {
+  if (py::isinstance<py::dict>(source)) return {"dict", json_of(source)};
+  if (py::isinstance<py::str>(source)) {
+    const std::string text = py::str(source);
+    return is_text(text) ? SceneText{"text", text} : scene_text(text);
+  }
+  if (py::hasattr(source, "__fspath__")) return scene_text(py::str(source.attr("__fspath__")()));
+  throw py::type_error(fmt::format("a scene is a path, a text, a dict or a Scene, not {}",
+                                   std::string(py::str(py::type::of(source).attr("__name__")))));
+}
+
+std::string repr(const PyScene& scene) {
+  return fmt::format("<wuerfel.Scene \"{}\": {} cubes>", scene.scene.title,
+                     scene.scene.cubes.size());
+}
+
+}  // namespace
+
+PyScene PyScene::with(const py::kwargs& keys) const {
+  PyScene changed = *this;
+  for (const auto& [key, value] : keys)
+    changed.overrides.push_back(fmt::format("{}={}", std::string(py::str(key)), json_of(value)));
+  changed.scene = parse(changed.text, changed.overrides);
+  return changed;
+}
+
+std::string PyScene::json() const { return normalised_scene(scene); }
+
+std::vector<std::string> PyScene::names() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.cubes.size() + scene.points.size(); ++i)
+    names.push_back(moving_name(scene, static_cast<int>(i)));
+  return names;
+}
+
+PyScene load_scene(const py::object& source) {
+  if (py::isinstance<PyScene>(source)) return source.cast<PyScene>();
+  PyScene loaded{text_of(source), {}, {}};
+  loaded.scene = parse(loaded.text, {});
+  return loaded;
+}
+
+void bind_scene(py::module_& module) {
+  py::class_<PyScene>(module, "Scene", "A scene: what `wuerfel run` takes.")
+      .def(
+          py::init(&load_scene), py::arg("source"),
+          "From a path, TOML or JSON text, a dict with the same keys, the name of a shipped scene, "
+          "or a Scene.")
+      .def_static("load", &load_scene, py::arg("source"), "The same as Scene(source).")
+      .def("with_", &PyScene::with,
+           "A copy with keys set as by --set: scene.with_(**{\"cube.a.angle\": 0.1}).")
+      .def("to_json", &PyScene::json, "JSON text with generators and placements resolved.")
+      .def(
+          "to_dict",
+          [](const PyScene& scene) -> py::object {
+            return py::module_::import("json").attr("loads")(scene.json());
+          },
+          "The same as a dict.")
+      .def_property_readonly("title", [](const PyScene& scene) { return scene.scene.title; })
+      .def_property_readonly(
+          "duration", [](const PyScene& scene) { return scene.scene.duration; }, "s")
+      .def_property_readonly("names", &PyScene::names,
+                             "Names of the bodies that move, in order: cubes, then point masses.")
+      .def_property_readonly(
+          "hash", [](const PyScene& scene) { return text_hash(scene.json()); },
+          "As in the summary of a run.")
+      .def("__repr__", &repr)
+      .def("__len__", [](const PyScene& scene) { return scene.scene.cubes.size(); })
+      .def(
+          "__eq__", [](const PyScene& a, const PyScene& b) { return a.scene == b.scene; },
+          py::is_operator());
+}
+
+}  // namespace wuerfel::python

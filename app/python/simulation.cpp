@@ -1,0 +1,262 @@
+#include "app/python/simulation.h"
+
+#include <algorithm>
+#include <pybind11/stl.h>
+
+#include <fmt/format.h>
+
+#include "app/cli/choice.h"
+#include "app/python/answers.h"
+#include "core/check_many.h"
+
+namespace wuerfel::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr py::ssize_t numbers = 6;  // of a cube
+
+void put(const State& state, double* row) {
+  for (const BodyState& body : state) {
+    for (const double value : {body.position.x(), body.position.y(), body.angle, body.velocity.x(),
+                               body.velocity.y(), body.spin})
+      *row++ = value;
+  }
+}
+
+/// What a run has to tell; plain C++, so that it can be made without the GIL.
+struct Motion {
+  std::vector<State> states;
+  std::vector<Event> events;
+  Audit audit;
+  std::vector<std::string> moved;
+  bool at_rest = false;
+};
+
+Motion run(const Scene& scene,
+           const std::vector<double>& times,
+           const MotionSettings& settings,
+           Interruption& interruption) {
+  Simulation simulation(scene, settings);
+  simulation.set_pulse([&interruption] { interruption.check(); });
+  Motion motion;
+  for (const double t : times) {
+    simulation.advance_to(t);
+    motion.states.push_back(simulation.states());
+  }
+  motion.events = simulation.events();
+  motion.audit = simulation.audit();
+  motion.moved = simulation.moved();
+  motion.at_rest = simulation.at_rest();
+  return motion;
+}
+
+void require_times(const std::vector<double>& times) {
+  if (!std::ranges::is_sorted(times)) throw UsageError("times must ascend");
+  if (!times.empty() && !(times.front() >= 0.0 && times.back() < 1e9))
+    throw UsageError("times must be 0 s or later");
+}
+
+py::array_t<double> states_array(const Motion& motion, std::size_t bodies) {
+  py::array_t<double> array(
+      {static_cast<py::ssize_t>(motion.states.size()), static_cast<py::ssize_t>(bodies), numbers});
+  double* row = array.mutable_data();
+  for (const State& state : motion.states) {
+    put(state, row);
+    row += numbers * static_cast<py::ssize_t>(bodies);
+  }
+  return array;
+}
+
+py::object trajectory(const Motion& motion,
+                      const PyScene& scene,
+                      const std::vector<double>& times) {
+  py::dict outcome;
+  outcome["moved"] = motion.moved;
+  outcome["at_rest"] = motion.at_rest;
+  return py::module_::import("wuerfel").attr("Trajectory")(
+      py::array_t<double>(static_cast<py::ssize_t>(times.size()), times.data()),
+      states_array(motion, scene.names().size()), scene.names(), event_list(motion.events),
+      audit_dict(motion.audit), outcome);
+}
+
+py::object simulate(const py::object& source,
+                    const std::vector<double>& times,
+                    const MotionNames& motion) {
+  const PyScene scene = load_scene(source);
+  const MotionSettings settings = motion.settings();
+  require_times(times);
+  Interruption interruption;
+  Motion result;
+  {
+    const py::gil_scoped_release others;
+    result = run(scene.scene, times, settings, interruption);
+  }
+  return trajectory(result, scene, times);
+}
+
+py::list simulate_many(const std::vector<py::object>& sources,
+                       const std::vector<double>& times,
+                       int threads,
+                       const MotionNames& motion) {
+  const std::vector<Attempt<PyScene>> scenes = load_scenes(sources);
+  const MotionSettings settings = motion.settings();
+  require_times(times);
+  Interruption interruption;
+  std::vector<Attempt<Motion>> attempts;
+  {
+    const py::gil_scoped_release others;
+    attempts = work_on_each({thread_count(threads), [&] { interruption.check(); }},
+                            static_cast<int>(scenes.size()), [&](int i) {
+                              return attempt([&] {
+                                if (scenes[i].failure) std::rethrow_exception(scenes[i].failure);
+                                return run(scenes[i].answer.scene, times, settings, interruption);
+                              });
+                            });
+  }
+  py::list results;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    results.append(attempts[i].failure != nullptr
+                       ? exception_object(attempts[i].failure)
+                       : trajectory(attempts[i].answer, scenes[i].answer, times));
+  }
+  return results;
+}
+
+}  // namespace
+
+MotionSettings MotionNames::settings() const {
+  MotionSettings settings;
+  settings.integrator = parse_choice<Integrator>("integrator", integrator);
+  settings.formulation = parse_choice<Formulation>("formulation", formulation);
+  settings.solver = parse_choice<QpMethod>("solver", solver);
+  if (!(tolerance >= 1e-15) || !(step > 0.0))
+    throw UsageError("tolerance must be at least 1e-15 and step greater than 0");
+  settings.tolerance = tolerance;
+  settings.step = step;
+  return settings;
+}
+
+py::array_t<double> state_array(const State& state) {
+  py::array_t<double> array({static_cast<py::ssize_t>(state.size()), numbers});
+  put(state, array.mutable_data());
+  return array;
+}
+
+py::dict audit_dict(const Audit& audit) {
+  py::dict dict;
+  dict["max_penetration"] = audit.max_penetration;
+  dict["max_rod_error"] = audit.max_rod_error;
+  dict["max_kkt_residual"] = audit.max_kkt_residual;
+  dict["energy_start"] = audit.energy_start;
+  dict["energy_end"] = audit.energy_end;
+  dict["impact_loss"] = audit.impact_loss;
+  dict["friction_loss"] = audit.friction_loss;
+  dict["drift"] = audit.drift();
+  return dict;
+}
+
+py::list event_list(const std::vector<Event>& events) {
+  py::list list;
+  for (const Event& event : events) {
+    py::dict dict;
+    dict["t"] = event.t;
+    dict["kind"] = std::string(to_string(event.kind));
+    dict["bodies"] = py::make_tuple(event.on, event.from);
+    dict["point"] = py::make_tuple(event.point.x(), event.point.y());
+    dict["impulse"] = event.impulse;
+    list.append(dict);
+  }
+  return list;
+}
+
+PySimulation::PySimulation(PyScene scene, const MotionNames& motion)
+    : scene_(std::move(scene)),
+      interruption_(std::make_unique<Interruption>()),
+      simulation_(std::make_unique<Simulation>(scene_.scene, motion.settings())) {
+  simulation_->set_pulse([watch = interruption_.get()] { watch->check(); });
+}
+
+const Simulation& PySimulation::get() const {
+  if (!simulation_) throw std::runtime_error("this simulation was interrupted; make a new one");
+  return *simulation_;
+}
+
+void PySimulation::advance_to(double t) {
+  if (!(t >= get().time() && t < 1e9))
+    throw UsageError(fmt::format("the simulation is at {} s and cannot go to {}", get().time(), t));
+  const py::gil_scoped_release others;
+  try {
+    simulation_->advance_to(t);
+  } catch (...) {
+    simulation_.reset();
+    throw;
+  }
+}
+
+void bind_simulation(py::module_& module) {
+  const auto motion_arguments = [](const std::string& integrator, const std::string& formulation,
+                                   const std::string& solver, double tolerance, double step) {
+    return MotionNames{integrator, formulation, solver, tolerance, step};
+  };
+  const MotionNames usual;
+  py::class_<PySimulation>(module, "Simulation", "A scene in motion.")
+      .def(py::init([=](const py::object& scene, const std::string& integrator,
+                        const std::string& formulation, const std::string& solver, double tolerance,
+                        double step) {
+             return PySimulation(load_scene(scene), motion_arguments(integrator, formulation,
+                                                                     solver, tolerance, step));
+           }),
+           py::arg("scene"), py::kw_only(), py::arg("integrator") = usual.integrator,
+           py::arg("formulation") = usual.formulation, py::arg("solver") = usual.solver,
+           py::arg("tolerance") = usual.tolerance, py::arg("step") = usual.step,
+           "Options as of `wuerfel run`.")
+      .def("advance_to", &PySimulation::advance_to, py::arg("t"),
+           "Moves on to time t (s) exactly; the state is that just after an event that falls on t.")
+      .def_property_readonly(
+          "time", [](const PySimulation& s) { return s.get().time(); }, "s")
+      .def_property_readonly(
+          "state", [](const PySimulation& s) { return state_array(s.get().states()); },
+          "(bodies, 6) float64, a copy: x, y, angle, vx, vy, spin; SI units.")
+      .def_property_readonly("names", [](const PySimulation& s) { return s.scene().names(); })
+      .def_property_readonly("scene", [](const PySimulation& s) { return s.scene(); })
+      .def_property_readonly("events",
+                             [](const PySimulation& s) { return event_list(s.get().events()); })
+      .def_property_readonly("audit",
+                             [](const PySimulation& s) { return audit_dict(s.get().audit()); })
+      .def_property_readonly(
+          "moved", [](const PySimulation& s) { return s.get().moved(); },
+          "Names of cubes that have moved by more than rounding.")
+      .def_property_readonly(
+          "at_rest", [](const PySimulation& s) { return s.get().at_rest(); },
+          "Whether all stand still, certified.");
+  module.def(
+      "simulate",
+      [=](const py::object& scene, const std::vector<double>& times, const std::string& integrator,
+          const std::string& formulation, const std::string& solver, double tolerance,
+          double step) {
+        return simulate(scene, times,
+                        motion_arguments(integrator, formulation, solver, tolerance, step));
+      },
+      py::arg("scene"), py::arg("times"), py::kw_only(), py::arg("integrator") = usual.integrator,
+      py::arg("formulation") = usual.formulation, py::arg("solver") = usual.solver,
+      py::arg("tolerance") = usual.tolerance, py::arg("step") = usual.step,
+      "The motion at these times (s, ascending), as a Trajectory. Other threads run meanwhile.");
+  module.def(
+      "simulate_many",
+      [=](const std::vector<py::object>& scenes, const std::vector<double>& times, int threads,
+          const std::string& integrator, const std::string& formulation, const std::string& solver,
+          double tolerance, double step) {
+        return simulate_many(scenes, times, threads,
+                             motion_arguments(integrator, formulation, solver, tolerance, step));
+      },
+      py::arg("scenes"), py::arg("times"), py::kw_only(), py::arg("threads") = 0,
+      py::arg("integrator") = usual.integrator, py::arg("formulation") = usual.formulation,
+      py::arg("solver") = usual.solver, py::arg("tolerance") = usual.tolerance,
+      py::arg("step") = usual.step,
+      "One Trajectory per scene, in order, by threads (0: one per core), an exception object in "
+      "place of one that failed. The same bits for any number of threads.");
+}
+
+}  // namespace wuerfel::python

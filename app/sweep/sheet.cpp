@@ -1,0 +1,74 @@
+#include "app/sweep/sheet.h"
+
+#include <fmt/format.h>
+
+#include "app/film/origin.h"
+#include "app/film/recording.h"
+#include "app/sweep/sample_pictures.h"
+#include "app/sweep/statics.h"
+#include "core/scene/scene_parser.h"
+#include "render/picture/compose_frame.h"
+
+namespace wuerfel {
+
+namespace {
+
+DrawList first_frame(const Scene& scene,
+                     const PictureOptions& options,
+                     const StopSignal& stop,
+                     Font& font) {
+  const Simulation simulation(scene, {});
+  const SnapshotRequest request = snapshot_request(options, scene.cubes.size());
+  const Snapshot first = simulation.snapshot(request);
+  const MotionSource source{scene, {}, {}, request, request, {}, stop};
+  Recording motion(source);
+  motion.add(first);
+  const PictureOptions fitted = fit_to_motion(options, motion);
+  return compose_frame(first, view_of(fitted, first), make_style(fitted.theme),
+                       frame_options(fitted), font);
+}
+
+// "stands 12.5 %": the verdict, and how nearly.
+std::string caption(const Scene& scene) {
+  Statics statics(scene);
+  const std::string verdict(to_string(statics.check().verdict));
+  if (!statics.nearest()) return verdict;
+  return fmt::format("{} {:.1f} %", verdict, 100.0 * statics.nearest()->margin);
+}
+
+std::vector<Case> spread_cases(const Plan& plan, long wanted) {
+  std::vector<Case> cases;
+  Manifest manifest(plan);
+  wanted = std::min(wanted, plan.cases());
+  while (std::optional<Case> one = manifest.next()) {
+    const long before = one->number * wanted / plan.cases();
+    if ((one->number + 1) * wanted / plan.cases() > before) cases.push_back(std::move(*one));
+  }
+  return cases;
+}
+
+}  // namespace
+
+Still contact_sheet(const Plan& plan,
+                    const SheetChoice& choice,
+                    const StopSignal& stop,
+                    Font& font) {
+  const StripLayout layout = strip_layout(choice.grid, choice.size.width, choice.size.height, 1.0);
+  PictureOptions options = picture_options(plan.sweep().files);
+  options.size = {layout.cell_width, layout.cell_height};
+  const auto cells = static_cast<long>(choice.grid.columns) * choice.grid.rows;
+  Still sheet;
+  sheet.origin = {{software_key, "wuerfel " WUERFEL_VERSION}, {"Sweep plan", plan.hash()}};
+  std::vector<std::string> captions;
+  for (const Case& one : spread_cases(plan, cells)) {
+    stop.check();
+    const Scene scene = scene_of(plan.sweep(), one.values);
+    const CellPlace place = cell_place(layout, captions.size());
+    sheet.cells.push_back({first_frame(scene, options, stop, font), place.x, place.y});
+    captions.push_back(caption(scene));
+  }
+  sheet.page = strip_page(captions, layout, make_style(options.theme));
+  return sheet;
+}
+
+}  // namespace wuerfel

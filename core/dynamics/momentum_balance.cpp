@@ -1,0 +1,105 @@
+#include "core/dynamics/momentum_balance.h"
+
+#include <algorithm>
+
+#include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_rows.h"
+
+namespace wuerfel {
+namespace {
+
+bool moves(std::span<const char> resting, int cube) {
+  return resting.empty() || resting[cube] == 0;
+}
+
+std::vector<int> moving_cubes(const System& system, std::span<const char> resting) {
+  std::vector<int> cubes;
+  for (int i = 0; i < system.cubes; ++i)
+    if (moves(resting, i)) cubes.push_back(i);
+  return cubes;
+}
+
+}  // namespace
+
+Vec2 common_center(const System& system, const State& state, std::span<const char> resting) {
+  double mass = 0.0;
+  Vec2 sum = Vec2::Zero();
+  for (int i = 0; i < system.cubes; ++i) {
+    if (!moves(resting, i)) continue;
+    mass += system.body(i).mass;
+    sum += system.body(i).mass * state[i].position;
+  }
+  return mass > 0.0 ? Vec2(sum / mass) : sum;
+}
+
+void add_push(const System& system,
+              const State& state,
+              const Vec2& center,
+              const Contact& contact,
+              const Vec2& impulse,
+              Push& sum) {
+  const bool corner = system.is_cube(contact.on);
+  if (corner == system.is_cube(contact.from)) return;
+  const int cube = corner ? contact.on : contact.from;
+  const Vec2 arm = corner ? contact.arm_k : arm_of_side(contact);
+  const Vec2 p = corner ? impulse : Vec2(-impulse);
+  sum += {p, det(state[cube].position - center + arm, p)};
+}
+
+void add_push(const State& place, const Vec2& center, const Rod& rod, double impulse, Push& sum) {
+  const bool first = rod.i.body >= 0;
+  if (first == (rod.j.body >= 0)) return;
+  const RodEnd& end = first ? rod.i : rod.j;
+  const Vec2 p = (first ? impulse : -impulse) * rod_direction(rod, place);
+  sum += {p, det(place[end.body].position - center + held_place(end, place).arm, p)};
+}
+
+Push push_of(const System& system,
+             const State& state,
+             const Island& island,
+             const IslandSolution& solution) {
+  const Vec2 center = common_center(system, state);
+  Push sum;
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
+    const Vec2 impulse = solution.forces[k] * c.normal + side * perp(c.normal);
+    add_push(system, state, center, c, impulse, sum);
+  }
+  for (std::size_t k = 0; k < solution.rods.size(); ++k)
+    add_push(state, center, system.rods[island.rods[k]], solution.rods[k], sum);
+  return sum;
+}
+
+Push unexplained(const System& system,
+                 const State& before,
+                 const State& after,
+                 double dt,
+                 const Push& pushes,
+                 std::span<const char> resting) {
+  const std::vector<int> cubes = moving_cubes(system, resting);
+  const Momentum from = momentum_of(system, before, cubes);
+  const Momentum to = momentum_of(system, after, cubes);
+  const Vec2 weight = dt * from.mass * system.gravity;
+  return {to.linear - from.linear - weight - pushes.linear,
+          to.angular - from.angular - pushes.angular};
+}
+
+void MomentumScale::include(const MomentumScale& other) {
+  linear = std::max(linear, other.linear);
+  angular = std::max(angular, other.angular);
+}
+
+MomentumScale momentum_scale(const System& system, const State& state, double speed) {
+  const Vec2 center = common_center(system, state);
+  MomentumScale scale;
+  for (int i = 0; i < system.cubes; ++i) {
+    const Body& body = system.body(i);
+    const double p = body.mass * std::max(fastest_corner(body, state[i]), speed);
+    scale.linear += p;
+    scale.angular += p * std::max((state[i].position - center).norm(), body.radius());
+  }
+  return scale;
+}
+
+}  // namespace wuerfel

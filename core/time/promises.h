@@ -1,0 +1,33 @@
+/// What every run promises, and who broke it first.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/time/bookkeeping.h"
+
+namespace wuerfel {
+
+/// Largest share of the smaller side of a pair by which bodies may overlap (and a little for
+/// rounding).
+inline constexpr double promised_overlap = 1.01e-9;
+/// Residual of Coulomb's law that is counted but borne.
+inline constexpr double promised_friction = 1e-6;
+/// Share by which momenta may change without a reason, and the same where steps were taken.
+inline constexpr double promised_momentum = 1e-5;
+inline constexpr double promised_momentum_of_steps = 1e-4;
+
+/// The promises that an audit of a stretch of the motion shows as broken, the gravest first.
+std::vector<Promise> broken_promises(const Audit& audit);
+
+/// Books the promises that were broken since `before`, first by these bodies at time t.
+void note_breaches(const Audit& before,
+                   double t,
+                   std::span<const std::string> bodies,
+                   Bookkeeping& book);
+
+/// The first breach of a promise; none: nullptr.
+const Breach* first_breach(const std::vector<Breach>& breaches, Promise promise);
+
+}  // namespace wuerfel

@@ -1,0 +1,49 @@
+"""One hash over all states: the same however a run is looked at, wherever it runs, and with the binaries named as arguments."""
+import json
+import os
+import sys
+
+from program import PROGRAM, ProgramTest, main
+
+SCENES = ("demo", "pile", "ladder", "tilted_drop", "fig1_stack", "dominoes")
+OTHERS = [name for name in sys.argv[1:] if os.path.exists(name)]
+OTHER_MACHINES = ({"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA"}, {"LC_ALL": "de_DE.UTF-8"}, {"OMP_NUM_THREADS": "7", "LP_NUM_THREADS": "7"})
+
+
+class Determinism(ProgramTest):
+    def state_hash(self, scene, *options, program=PROGRAM, **environment):
+        self.program = program
+        done = self.call("run", scene, "--until", "1", "--json", "--quiet", *options, env={**os.environ, **environment})
+        return json.loads(done.stdout)["audit"]["state_hash"]
+
+    def test_looking_changes_nothing(self):
+        for scene in SCENES:
+            expected = self.state_hash(scene)
+            for looks in (("--states", "s.csv", "--fps", "7"), ("--forces", "f.csv", "--fps", "90"), ("--sample", "0.1,0.77"),
+                          ("-o", "f/", "--size", "64x64", "--fps", "5")):
+                with self.subTest(scene, looks=looks):
+                    self.assertEqual(self.state_hash(scene, *looks), expected)
+
+    def test_other_machines_find_the_same(self):
+        for scene in SCENES:
+            expected = self.state_hash(scene)
+            for environment in OTHER_MACHINES:
+                with self.subTest(scene, environment=environment):
+                    self.assertEqual(self.state_hash(scene, **environment), expected)
+
+    def test_it_tells_motions_apart(self):
+        hashes = [self.state_hash("tilted_drop", *options) for options in ((), ("--integrator", "rattle"), ("--tolerance", "1e-9"),
+                                                                            ("--set", "gravity=[0,-9.81000000001]"))]
+        self.assertEqual(len(set(hashes)), len(hashes))
+
+    def test_other_builds_find_the_same(self):
+        for program in OTHERS:
+            for scene in SCENES:
+                for options in ((), ("--integrator", "rattle"), ("--integrator", "moreau"), ("--integrator", "euler")):
+                    with self.subTest(program, scene=scene, options=options):
+                        self.assertEqual(self.state_hash(scene, *options, program=program), self.state_hash(scene, *options))
+
+
+if __name__ == "__main__":
+    sys.argv = sys.argv[:1]
+    main()

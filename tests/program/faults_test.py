@@ -1,0 +1,227 @@
+"""What goes wrong around the program: disks, streams, ffmpeg, other people's files, work without end."""
+import json
+import os
+import signal
+import stat
+import struct
+import subprocess
+import time
+import unittest
+import zlib
+
+from program import FLOOR, FLYING, PROGRAM, STANDING, ProgramTest, main, png_chunks
+
+SPINNING = {"version": 1, "cube": [{"name": "a", "position": [0, 5], "spin": 1.0}]}
+
+
+class Endless(ProgramTest):
+    def test_what_rests_costs_nothing_however_long(self):
+        self.expect(0, "run", self.scene(STANDING), "--until", "1e12", timeout=20)
+        self.expect(0, "figure", self.scene(STANDING), "-t", "1e9", "-o", "f.png", "--size", "64x64", timeout=20)
+
+    def test_more_steps_than_anybody_can_wait_for_are_refused(self):
+        for command in (("run", "--until", "1"), ("figure", "-t", "1", "-o", "f.png")):
+            for integrator in ("rattle", "moreau", "euler"):
+                done = self.expect(2, command[0], self.scene(FLYING), *command[1:], "--integrator", integrator, "--step", "1e-300")
+                self.assertIn("--step: ", done.stderr)
+
+    def test_a_long_wait_is_told(self):
+        process = subprocess.Popen([PROGRAM, "run", self.scene(SPINNING), "--until", "1e12"], stderr=subprocess.PIPE, text=True)
+        line = process.stderr.readline()
+        process.terminate()
+        process.communicate()
+        self.assertEqual(process.returncode, 128 + signal.SIGTERM)
+        self.assertRegex(line, r"simulating +0 % .* left")
+
+
+class Frames(ProgramTest):
+    def test_frames_of_two_runs_never_lie_side_by_side(self):
+        self.expect(0, "run", self.scene(FLYING), "-o", "f/", "--fps", "20", "--size", "64x64")
+        process = subprocess.Popen([PROGRAM, "run", self.scene(FLYING, "again.json"), "-o", "f/", "--fps", "500", "--until", "50", "--size", "64x64",
+                                    "--view", "0,5,10", "--layers", "cubes"], cwd=self.folder, stderr=subprocess.DEVNULL)
+        time.sleep(1.5)
+        process.kill()
+        process.wait()
+        times = [float(self.time_of(name)) for name in self.files("f") if name.startswith("frame_")]
+        self.assertEqual(times, [k / 500 for k in range(len(times))])
+
+    def time_of(self, name):
+        from program import png_texts
+        return png_texts(self.path("f/" + name))["Simulated time"]
+
+
+class Ffmpeg(ProgramTest):
+    def fake(self, script):
+        os.mkdir(self.path("bin"))
+        with open(self.path("bin/ffmpeg"), "w") as file:
+            file.write("#!/bin/sh\n" + script)
+        os.chmod(self.path("bin/ffmpeg"), 0o755)
+        return {**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]}
+
+    def test_one_that_hangs_can_be_left(self):
+        environment = self.fake("cat > /dev/null; exec sleep 1000\n")
+        process = subprocess.Popen([PROGRAM, "run", self.scene(FLYING), "-o", "a.mp4", "--size", "64x64", "--until", "0.1"], cwd=self.folder,
+                                   env=environment, stderr=subprocess.DEVNULL)
+        time.sleep(2.0)
+        self.assertIsNone(process.poll())
+        process.terminate()
+        self.assertEqual(process.wait(timeout=10), 128 + signal.SIGTERM)
+        self.assertEqual(self.files(), ["bin", "scene.json"])
+
+    def test_one_that_is_killed_is_told(self):
+        environment = self.fake("head -c 1000 > /dev/null; kill -9 $$\n")
+        done = self.expect(5, "run", self.scene(FLYING), "-o", "a.mp4", "--size", "64x64", env=environment)
+        self.assertIn("ffmpeg failed on a.mp4", done.stderr)
+        self.assertEqual(self.files(), ["bin", "scene.json"])
+
+
+class Names(ProgramTest):
+    def test_umlauts_and_spaces(self):
+        self.scene(STANDING, "ein Türmchen (1).json")
+        self.expect(0, "run", "ein Türmchen (1).json", "-o", "Bilder Ä/", "--fps", "2", "--size", "64x64", "--states", "Zustände 1.csv")
+        self.assertIn("frame_000000.png", self.files("Bilder Ä"))
+        self.assertIn("Zustände 1.csv", self.files())
+
+    def test_nobody_can_wait_with_a_link_under_a_temporary_name(self):
+        with open(self.path("victim"), "w") as file:
+            file.write("mine")
+        shell = f'ln -s victim .s.$$.part.csv; exec "{PROGRAM}" run "{self.scene(FLYING)}" --states s.csv --until 0.1'
+        subprocess.run(["sh", "-c", shell], cwd=self.folder, check=True)
+        self.assertEqual(self.content("victim"), "mine")
+        self.assertFalse(os.path.islink(self.path("s.csv")))
+
+    def test_a_comma_locale_changes_nothing(self):
+        for locale in ("de_DE.UTF-8", "C", "C.UTF-8"):
+            done = self.expect(0, "run", self.scene(FLYING), "--states", "-", "--fps", "4", "--quiet", env={**os.environ, "LC_ALL": locale})
+            self.assertIn("0.25,a,0.25,", done.stdout)
+
+    def test_a_written_file_replaces_one_that_is_read_only(self):
+        with open(self.path("s.csv"), "w") as file:
+            file.write("old")
+        os.chmod(self.path("s.csv"), stat.S_IRUSR)
+        self.expect(0, "run", self.scene(FLYING), "--states", "s.csv", "--until", "0.1")
+        self.assertTrue(self.content("s.csv").startswith("t,body"))
+
+
+class HostilePictures(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.expect(0, "figure", self.scene(STANDING), "-o", "good.png", "--size", "64x64")
+
+    def altered(self, key, value):
+        """good.png with another text under a key, check sums right."""
+        with open(self.path("bad.png"), "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n")
+            for kind, content in png_chunks(self.path("good.png")):
+                if kind in ("tEXt", "zTXt", "iTXt") and content.startswith(key.encode() + b"\0"):
+                    kind, content = "tEXt", key.encode() + b"\0" + value
+                file.write(struct.pack(">I", len(content)) + kind.encode() + content + struct.pack(">I", zlib.crc32(kind.encode() + content)))
+
+    def options(self):
+        for kind, content in png_chunks(self.path("good.png")):
+            if content.startswith(b"Options\0") or content.startswith(b"Comment\0"):
+                return content.split(b"\0", 1)
+        for kind, content in png_chunks(self.path("good.png")):
+            if kind == "tEXt" and b"--size" in content:
+                return content.split(b"\0", 1)
+        self.fail("no options in the picture")
+
+    def refuse(self, code=2):
+        done = self.call("reproduce", "bad.png", timeout=30)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertNotIn("\x1b", done.stderr + done.stdout)
+        return done.stderr
+
+    def test_what_it_says_of_its_size_is_checked_before_it_is_drawn(self):
+        key, options = self.options()
+        self.altered(key.decode(), options.replace(b"--size 64x64", b"--size 16384x16384"))
+        self.assertIn("it has 64x64 pixels and says that they are 16384x16384", self.refuse())
+
+    def test_times_and_rates_beyond_all_use_are_refused(self):
+        key, options = self.options()
+        for more in (b" --layers trails --fps 3e8", b" --strip 2147483647x2", b" --theme \x1b[31m"):
+            text = options.replace(b"--layers", b"--zoom 1 --layers") if b"trails" not in more else options[:options.index(b"--layers")] + options[options.index(b"--theme"):]
+            self.altered(key.decode(), text + more)
+            if b"trails" in more:
+                self.altered("Simulated time", b"1")
+            self.assertIn(self.call("reproduce", "bad.png", timeout=30).returncode, (1, 2))
+
+    def test_several_times_for_one_place_are_refused(self):
+        self.altered("Simulated time", b"0,1,2")
+        self.assertIn("its simulated times make no sense", self.refuse())
+
+
+class Replay(ProgramTest):
+    PROGRAM_LINE = {"block_size": 3, "M_diag": [1, 1, 0.2], "F": [0, -9.81, 0], "J_triplets": [[0, 1, 1], [0, 2, 0.5], [1, 1, 1], [1, 2, -0.5]],
+                    "b": [0, 0], "E_triplets": [], "d": []}
+
+    def write(self, *lines):
+        with open(self.path("p.jsonl"), "w") as file:
+            for line in lines:
+                file.write((line if isinstance(line, str) else json.dumps(line)) + "\n")
+
+    def test_programs_are_solved_again_by_all_solvers(self):
+        self.write(self.PROGRAM_LINE, self.PROGRAM_LINE)
+        done = self.expect(0, "replay", "p.jsonl", "--json")
+        answers = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual([a["program"] for a in answers], [1, 2])
+        self.assertEqual({a["solver"] for a in answers[0]["answers"]} >= {"auto", "newton", "interior-point"}, True)
+        self.assertLess(answers[0]["answers"][0]["residual"], 1e-10)
+        self.assertIn("program 1: 3 unknowns, 2 rows", self.expect(0, "replay", "p.jsonl").stdout)
+
+    def test_what_is_no_program_is_refused_with_its_place(self):
+        for wrong in ("nonsense", {"M_diag": []}, {**self.PROGRAM_LINE, "M_diag": [-1, 1, 1]}, {**self.PROGRAM_LINE, "J_triplets": [[0, 9, 1]]}):
+            self.write(self.PROGRAM_LINE, wrong)
+            self.assertIn("p.jsonl:2: no program: ", self.expect(2, "replay", "p.jsonl").stderr)
+        self.expect(2, "replay", "nosuch.jsonl")
+
+    def test_a_run_that_solves_everything_keeps_none(self):
+        self.expect(0, "run", self.scene(STANDING), "--failed-programs", "p.jsonl")
+        self.assertEqual(self.content("p.jsonl"), "")
+
+
+class Limits(ProgramTest):
+    """At the limits of doubles a verdict is undecided, never wrong."""
+
+    def verdict(self, scene):
+        return json.loads(self.call("check", self.scene(scene), "--json").stdout)["verdict"]
+
+    def test_towers_beyond_what_doubles_hold(self):
+        for count in (100, 5000):
+            self.assertEqual(self.verdict({"version": 1, "plane": [FLOOR], "tower": [{"count": count, "base": [0, 0]}]}), "stands", count)
+        self.assertEqual(self.verdict({"version": 1, "plane": [FLOOR], "tower": [{"count": 25000, "base": [0, 0]}]}), "undecided")
+
+    def test_mass_ratios(self):
+        for ratio in (1e6, 1e9):
+            pair = [{"name": "l", "position": [0, 0.5]}, {"name": "h", "position": [0, 1.5], "mass": ratio}]
+            self.assertEqual(self.verdict({"version": 1, "plane": [FLOOR], "cube": pair}), "stands", ratio)
+        for offset in (0.0, 0.6):
+            pair = [{"name": "l", "position": [0, 0.5]}, {"name": "h", "position": [offset, 1.5], "mass": 1e14}]
+            expected = ("stands", "undecided") if offset == 0.0 else ("falls", "undecided")
+            self.assertIn(self.verdict({"version": 1, "plane": [FLOOR], "cube": pair}), expected)
+
+    def test_far_from_the_origin_the_coordinates_are_named(self):
+        scene = {"version": 1, "plane": [{"name": "f", "point": [1e7, 1e7], "normal": [0, 1]}],
+                 "tower": [{"count": 8, "size": [1, 0.3], "on": "f", "lean": 0.01}]}
+        self.assertIn("coordinates of 1e+07 m have no digits below 2e-09 m", self.expect(2, "check", self.scene(scene)).stderr)
+
+
+class Strict(ProgramTest):
+    def test_a_run_within_the_budget_goes_through(self):
+        self.assertEqual(self.summary(STANDING, "--strict")["t_end"], 0.1)
+
+    def test_the_first_violation_is_told_and_ends_a_strict_run(self):
+        # Steps this long sway by more energy than their method promises.
+        coarse = ("fig1_stack", "--until", "2", "--integrator", "rattle", "--step", "0.02", "--json", "--quiet")
+        done = self.expect(3, "run", *coarse, "--fps", "50", "--states", "s.csv")
+        self.assertIn("over the error budget: energy drifted by", done.stderr)
+        first = json.loads(done.stdout)["audit"]["first_violation"]
+        self.assertEqual(first["what"], "energy")
+        self.assertIn(f"first at {first['t']:.6g} s", done.stderr)
+        strict = json.loads(self.expect(3, "run", *coarse, "--strict").stdout)
+        self.assertLess(strict["t_end"], 2.0)
+        self.assertAlmostEqual(strict["t_end"], first["t"], delta=0.021)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+// What marks and words of a reason come to in the draw list.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "render/picture/compose_frame.h"
+
+namespace wuerfel::test {
+namespace {
+
+Snapshot two_boxes() {
+  Snapshot snapshot;
+  snapshot.title = "two";
+  snapshot.gravity = {0.0, -9.81};
+  SnapshotBox below;
+  below.name = "a";
+  below.center = {0.0, 0.5};
+  SnapshotBox above;
+  above.name = "b";
+  above.center = {0.6, 1.5};
+  snapshot.boxes = {below, above};
+  SnapshotReason reason;
+  reason.headlines = {"b tips"};
+  reason.advice = {"move b", "hold b"};
+  reason.part = {1};
+  reason.centre = Vec2(0.6, 1.5);
+  reason.corner = Vec2(0.5, 1.0);
+  reason.beside = Vec2(0.6, 1.0);
+  reason.label = "100 mm";
+  reason.fixes.resize(2);
+  reason.fixes[0].moved = {1};
+  reason.fixes[0].way = {-0.1, 0.0};
+  reason.fixes[0].point = {0.6, 1.5};
+  reason.fixes[0].label = "0.1 m";
+  reason.fixes[1].point = {1.1, 1.0};
+  reason.fixes[1].force = {0.0, 0.9};
+  reason.fixes[1].label = "0.9 N";
+  snapshot.reason = reason;
+  return snapshot;
+}
+
+DrawList compose(const Snapshot& snapshot, Font& font) {
+  FrameOptions options;
+  options.layers = {Layer::cubes, Layer::names, Layer::hud};
+  View view;
+  view.width = 800;
+  view.height = 600;
+  view.pixels_per_metre = 150.0;
+  view.center = {0.3, 1.0};
+  return compose_frame(snapshot, view, make_style(Theme::light), options, font);
+}
+
+bool tells(const DrawList& list, const std::string& text) {
+  return std::ranges::find(list.texts, text, &TextShape::text) != list.texts.end();
+}
+
+TEST(ComposeCauses, TellsWhatFailsAndWhatHelps) {
+  Font font;
+  const DrawList list = compose(two_boxes(), font);
+  for (const char* text : {"b tips", "move b", "hold b", "100 mm", "0.1 m", "0.9 N"})
+    EXPECT_TRUE(tells(list, text)) << text;
+  EXPECT_FALSE(tells(list, "two"));  // in the place of the HUD
+  for (const TextShape& text : list.texts) {
+    EXPECT_GE(text.baseline.x, 0.0F) << text.text;
+    EXPECT_LE(text.baseline.y, 600.0F) << text.text;
+  }
+}
+
+TEST(ComposeCauses, MarksTheCornerTheCentreAndTheLever) {
+  Font font;
+  const Snapshot snapshot = two_boxes();
+  const DrawList list = compose(snapshot, font);
+  ASSERT_EQ(list.discs.size(), 2U);
+  EXPECT_FLOAT_EQ(list.discs[0].center.x, 400.0F + 150.0F * 0.2F);  // the corner
+  EXPECT_FLOAT_EQ(list.discs[1].center.x, 400.0F + 150.0F * 0.3F);  // the centre of mass
+  const bool lever = std::ranges::any_of(list.segments, [](const SegmentShape& s) {
+    return s.from.x == 430.0F && std::abs(s.to.x - 445.0F) < 1e-3F && s.from.y == s.to.y;
+  });
+  EXPECT_TRUE(lever);
+}
+
+TEST(ComposeCauses, ShowsWhereAMovedBoxWouldStand) {
+  Font font;
+  Snapshot snapshot = two_boxes();
+  const std::size_t with = compose(snapshot, font).boxes.size();
+  snapshot.reason->fixes.erase(snapshot.reason->fixes.begin());
+  const std::size_t without = compose(snapshot, font).boxes.size();
+  EXPECT_EQ(with, without + 1);
+}
+
+TEST(ComposeCauses, AWayTooShortToBeSeenIsShownAllTheSame) {
+  Font font;
+  Snapshot snapshot = two_boxes();
+  snapshot.reason->fixes.resize(1);
+  snapshot.reason->fixes[0].way = {-1e-9, 0.0};
+  const DrawList list = compose(snapshot, font);
+  const bool seen = std::ranges::any_of(
+      list.arrows, [](const ArrowShape& a) { return a.tail.x - a.tip.x > 12.0F; });
+  EXPECT_TRUE(seen);
+}
+
+}  // namespace
+}  // namespace wuerfel::test
