@@ -71,7 +71,9 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   // Simulate from one instant that somebody wants to see to the next.
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
-  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
+  const std::vector<Instant> instants =
+      with_looks(plan.instants, plan.request.joints ? plan.back.average : 0.0);
+  const MotionSource source{scene,        asked.motion, instants, plan.request,
                             plan.request, plan.back,    stop};
   FrameTaker taker(plan.request, plan.request, plan.back);
   Film film(asked.picture, asked.rate, source, pictures);
@@ -79,7 +81,7 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   double worst_force = 0.0;  // residual
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
   Progress progress(style, "simulating", plan.end, "s");
-  for (const Instant& instant : plan.instants) {
+  for (const Instant& instant : instants) {
     stop.check();
     simulation.advance_to(instant.t);
     progress.reached(instant.t);

@@ -5,7 +5,6 @@
 #include <map>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include <fmt/core.h>
 
@@ -92,8 +91,6 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   if (!asked.outputs.empty()) {
     plan.request = snapshot_request(asked.picture, scene.cubes.size());
     plan.back = look_back(asked.picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);
-    plan.instants =
-        with_looks(std::move(plan.instants), plan.request.joints ? plan.back.average : 0.0);
   }
   if (!asked.forces.empty()) plan.request.forces = true;
   return plan;
