@@ -22,6 +22,26 @@ void add_contact_forces(const System& system, const IslandForces& of, Check& che
   }
 }
 
+void add_rod_forces(const System& system, const std::vector<IslandForces>& islands, Check& check) {
+  std::vector<double> force(system.rods.size(), 0.0);
+  std::vector<char> unique(system.rods.size(), 1);
+  for (const IslandForces& of : islands) {
+    for (std::size_t k = 0; k < of.island.rods.size(); ++k) {
+      force[of.island.rods[k]] = of.forces.rods[k];
+      unique[of.island.rods[k]] = of.forces.rods_unique[k];
+    }
+  }
+  for (std::size_t k = 0; k < system.rods.size(); ++k) {
+    const Rod& rod = system.rods[k];
+    if (rod.kind == Rod::Kind::rod) {
+      check.rods.push_back({rod.name, -force[k], unique[k] != 0});
+    } else if (rod.kind == Rod::Kind::pin_x) {
+      check.pins.push_back(
+          {rod.name, {force[k], force[k + 1]}, unique[k] != 0 && unique[k + 1] != 0});
+    }
+  }
+}
+
 /// Impacts at the start of islands that rub or bounce.
 void strike(const System& system, const MotionSettings& settings, State& state, Bookkeeping& book) {
   std::vector<Contact> contacts;
@@ -88,6 +108,7 @@ Check check(const Scene& scene, const MotionSettings& settings) {
   Bookkeeping impacts;
   if (system.rubs || system.bounces) strike(system, settings, start.state, impacts);
   ActiveRestrictions(system, settings).find(start, impacts);
+  require_consistent_rods(system, start.state);
   const InstantForces found = forces_at(system, settings, start.state, Detail::uniqueness);
 
   Check check;
@@ -106,6 +127,7 @@ Check check(const Scene& scene, const MotionSettings& settings) {
     add_contact_forces(system, of, check);
     add_certificate(system, of, check);
   }
+  add_rod_forces(system, found.islands, check);
   if (system.rubs) check.facts = find_facts(system, settings, start.state, found, check.verdict);
   return check;
 }

@@ -22,6 +22,18 @@ struct ContactForce {
   bool unique = true;           ///< whether no other force at this point is possible
 };
 
+struct RodForce {
+  std::string name;
+  double force = 0.0;  ///< N, tension positive
+  bool unique = true;  ///< whether no other force of this rod is possible
+};
+
+struct PinForce {
+  std::string name;
+  Vec2 force = Vec2::Zero();  ///< N, on the body of `from`
+  bool unique = true;
+};
+
 /// Three facts apart, of a scene in which any pair rubs; all false where something moves.
 struct FrictionFacts {
   bool equilibrium_exists = false;       ///< admissible forces balance all weights
@@ -31,9 +43,11 @@ struct FrictionFacts {
 
 struct Check {
   Verdict verdict = Verdict::undecided;
-  std::vector<Twist> accelerations;    ///< m/s^2 and rad/s^2, in the order of Scene::cubes
+  std::vector<Twist> accelerations;    ///< m/s^2 and rad/s^2, of cubes, then points (moving_name)
   std::vector<ContactForce> contacts;  ///< each contact once
-  double objective = 0.0;              ///< sum m |a-g|^2 + I alpha^2
+  std::vector<RodForce> rods;          ///< in the order of the scene
+  std::vector<PinForce> pins;
+  double objective = 0.0;  ///< sum m |a-g|^2 + I alpha^2
   double kkt_residual = 0.0;
   std::optional<FrictionFacts> facts;
   /// Where cubes that rub cannot stay at rest: a virtual motion (m/s^2 and rad/s^2, as

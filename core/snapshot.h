@@ -86,6 +86,28 @@ struct SnapshotPoint {
   bool operator==(const SnapshotPoint&) const = default;
 };
 
+/// A free point mass, a body of the scene.
+struct SnapshotMass {
+  std::string name;
+  Vec2 position = Vec2::Zero();  ///< m
+  double mass = 0.0;             ///< kg
+  Vec2 velocity = Vec2::Zero();  ///< m/s
+  bool operator==(const SnapshotMass&) const = default;
+};
+
+/// A rod between bodies, or a pin, whose places coincide.
+struct SnapshotLink {
+  std::string name;
+  bool pin = false;
+  Vec2 a = Vec2::Zero();  ///< m, place of `from`
+  Vec2 b = Vec2::Zero();  ///< m, place of `to`
+  /// Names of the bodies that move there; empty: the place is fixed.
+  std::array<std::string, 2> bodies;
+  Vec2 force = Vec2::Zero();  ///< N, on the body of `from`; zero where forces were not asked for
+  double tension = 0.0;       ///< N, of rods, tension positive; likewise
+  bool operator==(const SnapshotLink&) const = default;
+};
+
 /// A touching point: corner p_k on the side (p_i, p_j), with the unit normal into the corner's
 /// body.
 struct SnapshotContact {
@@ -137,6 +159,8 @@ struct Snapshot {
   std::vector<SnapshotBox> boxes;
   std::vector<SnapshotBox> ghosts;  ///< where cubes were before, oldest first; filled by figures
   std::vector<SnapshotPlane> planes;
+  std::vector<SnapshotMass> masses;
+  std::vector<SnapshotLink> links;
   std::vector<SnapshotForce> forces;
   std::vector<SnapshotJoint> joints;      ///< filled only when asked for
   std::vector<SnapshotImpact> impacts;    ///< filled by films

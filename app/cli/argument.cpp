@@ -36,6 +36,19 @@ double parse_positive(std::string_view option, std::string_view text) {
   return value;
 }
 
+double parse_paper_length(std::string_view option, std::string_view text) {
+  struct Unit {
+    std::string_view name;
+    double mm;
+  };
+  for (const auto& [name, mm] :
+       {Unit{"mm", 1.0}, Unit{"cm", 10.0}, Unit{"in", 25.4}, Unit{"pt", 25.4 / 72.0}}) {
+    if (text.ends_with(name))
+      return mm * parse_positive(option, text.substr(0, text.size() - name.size()));
+  }
+  throw UsageError(fmt::format("{}: '{}' is no length in mm, cm, in or pt, as 84mm", option, text));
+}
+
 double parse_time(std::string_view option, std::string_view text) {
   const double value = parse_number(option, text);
   if (value < 0.0) throw UsageError(fmt::format("{}: {} is before the start at 0", option, text));
@@ -52,11 +65,14 @@ std::vector<double> parse_numbers(std::string_view option, std::string_view text
 PixelSize parse_pixel_size(std::string_view text) {
   const std::size_t cross = text.find('x');
   PixelSize size;
+  const bool is_auto = text.ends_with("xauto");
+  if (is_auto) size.height = 0;
   if (cross == std::string_view::npos || !read_whole(text.substr(0, cross), size.width)
-      || !read_whole(text.substr(cross + 1), size.height)) {
-    throw UsageError(fmt::format("--size: '{}' is not WIDTHxHEIGHT, as in 1280x720", text));
+      || !(is_auto || read_whole(text.substr(cross + 1), size.height))) {
+    throw UsageError(
+        fmt::format("--size: '{}' is not WIDTHxHEIGHT, as in 1280x720 or 1280xauto", text));
   }
-  for (const int side : {size.width, size.height}) {
+  for (const int side : {size.width, is_auto ? size.width : size.height}) {
     if (side < smallest_picture || side > largest_picture) {
       throw UsageError(fmt::format("--size: {} pixels is not between {} and {}", side,
                                    smallest_picture, largest_picture));

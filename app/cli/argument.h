@@ -9,7 +9,7 @@ namespace wuerfel {
 
 struct PixelSize {
   int width = 1280;
-  int height = 720;
+  int height = 720;  ///< 0: as the scene asks for
 };
 
 /// A finite number that fills the whole text. `option` is named in the UsageError otherwise.
@@ -18,13 +18,16 @@ double parse_number(std::string_view option, std::string_view text);
 /// A number > 0.
 double parse_positive(std::string_view option, std::string_view text);
 
+/// A length on paper in mm: "84mm", "3.5in", "9cm" or "240pt".
+double parse_paper_length(std::string_view option, std::string_view text);
+
 /// A number >= 0.
 double parse_time(std::string_view option, std::string_view text);
 
 /// Numbers with commas between them, at least one.
 std::vector<double> parse_numbers(std::string_view option, std::string_view text);
 
-/// "1280x720": from 16 to 16384 pixels each way.
+/// "1280x720": from 16 to 16384 pixels each way; "1280xauto" has the height 0.
 PixelSize parse_pixel_size(std::string_view text);
 
 /// In small letters, as far as it is ASCII.

@@ -94,7 +94,8 @@ void add_motion_options(Options& options, MotionSettings& motion) {
 }
 
 void add_picture_options(Options& options, PictureOptions& picture) {
-  options.single("--size", "WxH", "pixels [1280x720]",
+  options.single("--size", "WxH",
+                 "pixels [1280x720]; a figure takes 1280xauto: as high as the scene asks for",
                  [&picture](const Text& text) { picture.size = parse_pixel_size(text); });
   const Text layers = fmt::format("what is drawn: any of {} [{}]", join_choices(choices<Layer>()),
                                   to_string(picture.layers));
@@ -128,6 +129,10 @@ void add_picture_options(Options& options, PictureOptions& picture) {
   options.single(
       "--color-top", "N", "load in N, or speed in m/s, of the last colour [fits the run]",
       [&picture](const Text& text) { picture.color_top = parse_positive("--color-top", text); });
+  options.single("--explode", "S",
+                 "free bodies: each farther from the others by this share of their distance, with "
+                 "all forces on it [0]",
+                 [&picture](const Text& text) { picture.explode = parse_time("--explode", text); });
   options.single("--legend", "A,B,..",
                  fmt::format("what the legend says of forces: any of {} [what occurs]",
                              join_choices(choices<LegendEntry>())),
@@ -171,6 +176,18 @@ void add_rate_options(Options& options, FrameRate& rate) {
 void add_strip_option(Options& options, std::optional<StripGrid>& strip) {
   options.single("--strip", "COLUMNSxROWS", "several instants in one picture, as 4x2",
                  [&strip](const Text& text) { strip = parse_strip(text); });
+}
+
+void add_ghosts_option(Options& options, int& ghosts) {
+  static constexpr double most = 100.0;
+  options.single(
+      "--ghosts", "N", "earlier poses of the cubes, evenly from the start, faintly [0]",
+      [&ghosts](const Text& text) {
+        const double count = parse_time("--ghosts", text);
+        if (count != std::floor(count) || count > most)
+          throw UsageError(fmt::format("--ghosts: '{}' is no whole number of 0 to {}", text, most));
+        ghosts = static_cast<int>(count);
+      });
 }
 
 void add_compare_limits(Options& options, CompareLimits& limits) {

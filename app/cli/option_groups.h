@@ -51,6 +51,8 @@ void add_encoder_option(Options& options, PngEncoder& encoder);
 void add_rate_options(Options& options, FrameRate& rate);
 /// --strip.
 void add_strip_option(Options& options, std::optional<StripGrid>& strip);
+/// --ghosts.
+void add_ghosts_option(Options& options, int& ghosts);
 /// --max-difference and --max-share.
 void add_compare_limits(Options& options, CompareLimits& limits);
 

@@ -29,12 +29,27 @@ struct CheckOptions {
   int threads = 0;
 };
 
+// Keys "rods" and "pins", always there: a scene without them has none.
+void add_rods(const Check& answer, Json& json) {
+  Json rods = Json::array();
+  for (const RodForce& rod : answer.rods)
+    rods.push_back({{"name", rod.name}, {"force", rod.force}, {"unique", rod.unique}});
+  Json pins = Json::array();
+  for (const PinForce& pin : answer.pins) {
+    pins.push_back(
+        {{"name", pin.name}, {"force", {pin.force.x(), pin.force.y()}}, {"unique", pin.unique}});
+  }
+  json["rods"] = std::move(rods);
+  json["pins"] = std::move(pins);
+}
+
 Json check_json(const Scene& scene, const Check& answer) {
   Json accelerations = Json::object();
-  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+  for (std::size_t i = 0; i < answer.accelerations.size(); ++i) {
     const Twist& a = answer.accelerations[i];
-    accelerations[scene.cubes[i].name] = {
-        {"ax", a.linear.x()}, {"ay", a.linear.y()}, {"alpha", a.angular}};
+    Json of_body{{"ax", a.linear.x()}, {"ay", a.linear.y()}};
+    if (i < scene.cubes.size()) of_body["alpha"] = a.angular;
+    accelerations[moving_name(scene, static_cast<int>(i))] = std::move(of_body);
   }
   Json contacts = Json::array();
   for (const ContactForce& contact : answer.contacts) {
@@ -49,6 +64,7 @@ Json check_json(const Scene& scene, const Check& answer) {
   Json json{{"verdict", to_string(answer.verdict)},
             {"accelerations", std::move(accelerations)},
             {"contacts", std::move(contacts)}};
+  add_rods(answer, json);
   if (answer.facts) {
     json["facts"] = {{"equilibrium_exists", answer.facts->equilibrium_exists},
                      {"stands_without_friction", answer.facts->stands_without_friction},
@@ -65,11 +81,12 @@ std::string certificate_text(const Scene& scene, const Check& answer) {
       "no equilibrium exists: no force that Coulomb's law allows holds the weight along the "
       "virtual "
       "motion\n";
-  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+  for (std::size_t i = 0; i < answer.certificate.size(); ++i) {
     const Twist& a = answer.certificate[i];
     if (a.linear.isZero(0.0) && a.angular == 0.0) continue;
-    text += fmt::format("  {}: ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n", scene.cubes[i].name,
-                        a.linear.x(), a.linear.y(), a.angular);
+    text +=
+        fmt::format("  {}: ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
+                    moving_name(scene, static_cast<int>(i)), a.linear.x(), a.linear.y(), a.angular);
   }
   return text;
 }
@@ -91,15 +108,17 @@ std::string friction_text(const Scene& scene, const Check& answer) {
 std::string fastest_text(const Scene& scene, const Check& answer) {
   const auto severity = [&](std::size_t i) {
     const Twist& a = answer.accelerations[i];
-    return a.linear.norm() + scene.cubes[i].size.minCoeff() * std::abs(a.angular);
+    const double side = i < scene.cubes.size() ? scene.cubes[i].size.minCoeff() : 0.0;
+    return a.linear.norm() + side * std::abs(a.angular);
   };
   std::size_t worst = 0;
-  for (std::size_t i = 1; i < scene.cubes.size(); ++i) {
+  for (std::size_t i = 1; i < answer.accelerations.size(); ++i) {
     if (severity(i) > severity(worst)) worst = i;
   }
   const Twist& a = answer.accelerations[worst];
   return fmt::format("largest acceleration: {} with ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
-                     scene.cubes[worst].name, a.linear.x(), a.linear.y(), a.angular);
+                     moving_name(scene, static_cast<int>(worst)), a.linear.x(), a.linear.y(),
+                     a.angular);
 }
 
 std::string moving_at_start(const Scene& scene) {
@@ -107,6 +126,9 @@ std::string moving_at_start(const Scene& scene) {
   for (const SceneCube& cube : scene.cubes) {
     if (!cube.velocity.isZero(0.0) || cube.spin != 0.0)
       names += (names.empty() ? "" : ", ") + cube.name;
+  }
+  for (const ScenePoint& point : scene.points) {
+    if (!point.velocity.isZero(0.0)) names += (names.empty() ? "" : ", ") + point.name;
   }
   return names;
 }
@@ -142,6 +164,24 @@ std::string check_text(const Scene& scene, const MotionSettings& motion, const C
   return text;
 }
 
+// Forces of rods and pins.
+std::string joints_text(const Check& answer) {
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& what, bool unique) {
+    text += fmt::format("{:<14} {}{}\n", name, what, unique ? "" : "  not the only one possible");
+  };
+  if (!answer.rods.empty()) text += fmt::format("\n{:<14} {:>12}\n", "rod", "force / N");
+  for (const RodForce& rod : answer.rods) {
+    const char* way = rod.force < 0.0 ? "pushes" : "pulls";
+    add(rod.name, fmt::format("{:>12.6g} {:<6}", rod.force, way), rod.unique);
+  }
+  if (!answer.pins.empty())
+    text += fmt::format("\n{:<14} {:>12} {:>12}\n", "pin", "fx / N", "fy / N");
+  for (const PinForce& pin : answer.pins)
+    add(pin.name, fmt::format("{:>12.6g} {:>12.6g}", pin.force.x(), pin.force.y()), pin.unique);
+  return text;
+}
+
 std::string answer_text(const std::string& name,
                         const Scene& scene,
                         const MotionSettings& motion,
@@ -154,7 +194,7 @@ std::string answer_text(const std::string& name,
     return json_text(json, form);
   }
   if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
-  return check_text(scene, motion, answer) + statics.text();
+  return check_text(scene, motion, answer) + joints_text(answer) + statics.text();
 }
 
 ExitCode exit_code(Verdict verdict) {

@@ -8,6 +8,7 @@
 #include "app/cli/option_groups.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
+#include "app/commands/letters.h"
 #include "app/film/still.h"
 #include "app/output/accuracy.h"
 #include "app/output/text_output.h"
@@ -22,6 +23,7 @@ struct FigureOptions {
   std::vector<double> times;    ///< s; none: the start, or even times of a strip
   std::optional<double> until;  ///< s, end of even times; none: the scene's duration
   std::string output;
+  double width_mm = 0.0;  ///< on paper; 0: by the pixels
 };
 
 constexpr double most_pictures = 1e4;  // of a strip: none is as large
@@ -43,6 +45,10 @@ void require_still(const FigureOptions& asked) {
         strip ? fmt::format("-t: {} times do not fit into a strip of {}", asked.times.size(), room)
               : "-t: several times need a --strip such as 4x2");
   }
+  if (asked.width_mm > 0.0 && !vector_format(lower_case(name)))
+    throw UsageError("--width: a picture in pixels has no width on paper; .svg and .pdf have");
+  if (strip && asked.still.ghosts > 0)
+    throw UsageError("--ghosts: a --strip shows other times itself");
   if (asked.until && (!strip || !asked.times.empty()))
     throw UsageError("--until is the end of a --strip whose times are not given");
 }
@@ -60,8 +66,10 @@ std::vector<double> times_of(const FigureOptions& asked, const Scene& scene) {
 }
 
 std::vector<std::uint8_t> encode(const Still& still, const FigureOptions& asked, Font& font) {
+  FigureTexts texts = still.texts;
+  texts.width_mm = asked.width_mm;
   if (const auto format = vector_format(lower_case(asked.output)))
-    return encode_vector_figure(still.page, *format, font, still.cells);
+    return encode_vector_figure(still.page, *format, font, still.cells, texts);
   return encode_png(draw_still(still), still.origin, asked.still.picture.encoder);
 }
 
@@ -74,12 +82,18 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
     note_idle(options, {"--encoder"}, "for .svg and .pdf", notes);
   const Scene scene = read_scene(asked.scene);
   note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
+  note_letters(scene, asked.still.picture.layers, notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
+  if (asked.until) still_options.end = asked.until;
+  // A strip has the scene's shape.
+  if (asked.still.strip && !options.given("--size")) still_options.picture.size.height = 0;
   TextOutput output(asked.output);
   const StopSignal stop;
   Font font;
   const Still still = compose_still(scene, still_options, stop, font);
+  if (still.labels_left_out > 0)
+    notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
   output.write(encode(still, asked, font));
   output.finish();
   return verdict_on_accuracy(still.audit, 0.0, notes);
@@ -103,6 +117,10 @@ Action declare_figure(Options& options) {
       "picture: .png, sharp at any size .svg .pdf, or - for a PNG on standard output",
       asked->output);
   add_picture_options(options, asked->still.picture);
+  options.single(
+      "--width", "LENGTH", "width on paper of .svg and .pdf, as 84mm [96 pixels to the inch]",
+      [asked](const std::string& text) { asked->width_mm = parse_paper_length("--width", text); });
+  add_ghosts_option(options, asked->still.ghosts);
   add_choice(options, "--fit", "what view and scales fit: the whole motion, as in its film, or",
              asked->still.picture.fit);
   add_encoder_option(options, asked->still.picture.encoder);

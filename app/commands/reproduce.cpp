@@ -1,5 +1,11 @@
 #include <algorithm>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +30,26 @@ struct ReproduceOptions {
   bool json = false;
 };
 
-const std::string& text_of(const PngFile& picture, const char* key, const std::string& path) {
+/// A picture that was made before: pixels, or the text of an SVG file.
+struct Made {
+  std::optional<Image> image;
+  std::string svg;
+  std::vector<PngText> texts;
+};
+
+Made read_made(const std::string& path) {
+  if (!has_suffix(path, ".svg")) {
+    PngFile file = read_png(path);
+    return {std::move(file.image), {}, std::move(file.texts)};
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw UsageError(fmt::format("cannot read {}", path));
+  std::string svg{std::istreambuf_iterator<char>(file), {}};
+  std::vector<PngText> texts = read_origin(svg);
+  return {std::nullopt, std::move(svg), std::move(texts)};
+}
+
+const std::string& text_of(const Made& picture, const char* key, const std::string& path) {
   const auto found = std::ranges::find(picture.texts, key, &PngText::key);
   if (found != picture.texts.end()) return found->value;
   throw UsageError(fmt::format(
@@ -40,6 +65,7 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
   add_motion_options(options, made_with.motion);
   add_rate_options(options, made_with.rate);
   add_strip_option(options, made_with.strip);
+  add_ghosts_option(options, made_with.ghosts);
   options.parse_line(text);
   return made_with;
 } catch (const UsageError& error) {
@@ -60,8 +86,27 @@ std::string report(const Comparison& comparison,
   return json.dump(2) + "\n";
 }
 
+/// The same text, or not: SVG files are equal to the byte.
+Comparison compare_texts(const std::string& expected, std::span<const std::uint8_t> actual) {
+  Comparison comparison;
+  const bool same =
+      std::ranges::equal(expected, actual, {}, [](char c) { return static_cast<std::uint8_t>(c); });
+  if (!same) comparison.verdict = CompareVerdict::different;
+  return comparison;
+}
+
+/// The width on paper that an SVG file says it has; 0: none.
+double width_on_paper(const std::string& svg) {
+  constexpr std::string_view key = " width=\"";
+  const std::size_t at = svg.find(key);
+  const std::size_t end = svg.find("mm\"", at);
+  const std::size_t quote = svg.find('"', at + key.size());
+  if (at == std::string::npos || end == std::string::npos || end + 2 != quote) return 0.0;
+  return parse_positive("width", svg.substr(at + key.size(), end - at - key.size()));
+}
+
 ExitCode reproduce(const ReproduceOptions& options) {
-  const PngFile picture = read_png(options.picture);
+  const Made picture = read_made(options.picture);
   const std::string& made_by = text_of(picture, software_key, options.picture);
   const Scene scene = parse_scene(text_of(picture, scene_key, options.picture), options.picture);
   StillOptions still_options =
@@ -75,9 +120,19 @@ ExitCode reproduce(const ReproduceOptions& options) {
   const StopSignal stop;
   Font font;
   const Still still = compose_still(scene, still_options, stop, font);
-  const Image again = draw_still(still);
-  if (!options.output.empty()) write_png(options.output, again, still.origin);
-  const Comparison comparison = compare_images(picture.image, again, options.limits);
+  Comparison comparison;
+  if (picture.image) {
+    const Image again = draw_still(still);
+    if (!options.output.empty()) write_png(options.output, again, still.origin);
+    comparison = compare_images(*picture.image, again, options.limits);
+  } else {
+    FigureTexts texts = still.texts;
+    texts.width_mm = width_on_paper(picture.svg);
+    const auto again =
+        encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
+    if (!options.output.empty()) write_text(options.output, {again.begin(), again.end()});
+    comparison = compare_texts(picture.svg, again);
+  }
   write_text("-", report(comparison, made_by, options));
   return comparison.verdict == CompareVerdict::different ? ExitCode::negative : ExitCode::fine;
 }
@@ -86,8 +141,9 @@ ExitCode reproduce(const ReproduceOptions& options) {
 
 Action declare_reproduce(Options& options) {
   auto asked = std::make_shared<ReproduceOptions>();
-  options.argument("FRAME", ".png file that `run` or `figure` made", asked->picture);
-  options.text("-o,--output", "FILE.png", "the picture made again", asked->output);
+  options.argument("FRAME", ".png file that `run` or `figure` made, or .svg file of `figure`",
+                   asked->picture);
+  options.text("-o,--output", "FILE", "the picture made again", asked->output);
   add_compare_limits(options, asked->limits);
   options.flag("--json", "print the answer as JSON", asked->json);
   return [asked](const Stopwatch&) {

@@ -10,6 +10,7 @@
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
+#include "app/commands/letters.h"
 #include "app/commands/run_plan.h"
 #include "app/film/film.h"
 #include "app/output/accuracy.h"
@@ -35,6 +36,17 @@ void note_idle_options(const RunOptions& asked, const Options& options, Notes& n
   note_film_differences(asked.outputs, asked.picture, options.given("--encoder"), notes);
 }
 
+// A GIF counts hundredths of a second: 50 frames are the most that all programs show.
+RunOptions with_rate_of_gif(const RunOptions& asked, const Options& options, Notes& notes) {
+  constexpr double most = 50.0;
+  RunOptions suited = asked;
+  const auto is_gif = [](const std::string& name) { return has_suffix(name, ".gif"); };
+  if (options.given("--fps") || std::ranges::none_of(asked.outputs, is_gif)) return suited;
+  suited.rate.fps = most;
+  notes.add("a GIF shows at most 50 frames per second: all films have 50");
+  return suited;
+}
+
 /// What a run starts from.
 struct Job {
   const RunOptions& asked;
@@ -52,15 +64,16 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   // What cannot be written is noticed before the long work.
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&stop] { stop.check(); };
-  PictureOutputs pictures(asked.outputs, animation);
+  PictureOutputs pictures(asked.outputs, animation, asked.hold);
   Tables tables(asked.states, asked.forces, asked.events);
   SummaryFile summary_file(asked.summary);
 
   // Simulate from one instant that somebody wants to see to the next.
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
-  const MotionSource source{scene, asked.motion, plan.instants, plan.request, plan.back, stop};
-  FrameTaker taker(plan.request, plan.back);
+  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
+                            plan.request, plan.back,    stop};
+  FrameTaker taker(plan.request, plan.request, plan.back);
   Film film(asked.picture, asked.rate, source, pictures);
   std::vector<Sample> samples;
   double worst_force = 0.0;  // residual
@@ -110,7 +123,11 @@ Answer answer(const Errand& errand, const SceneText& text, AnswerForm form, Note
   note_idle_options(asked, options, notes);
   const Scene scene = parse(text, asked.overrides);
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
-  return run({asked, scene, make_plan(asked, scene), since_start, stop}, form, notes);
+  if (!asked.outputs.empty() && asked.picture.size.height == 0)
+    throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
+  const RunOptions suited = with_rate_of_gif(asked, options, notes);
+  if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
+  return run({suited, scene, make_plan(suited, scene), since_start, stop}, form, notes);
 }
 
 void declare_outputs(Options& options, RunOptions& asked) {
@@ -121,6 +138,9 @@ void declare_outputs(Options& options, RunOptions& asked) {
                   asked.outputs.push_back(text);
                 });
   add_rate_options(options, asked.rate);
+  options.single("--hold", "S",
+                 "how long films show their last frame, in s [1 for .gif and .apng, else 0]",
+                 [&asked](const std::string& text) { asked.hold = parse_time("--hold", text); });
   options.single("--until", "T", "end in s [the scene's duration]",
                  [&asked](const std::string& text) { asked.until = parse_time("--until", text); });
   options.value("--sample", "T1,T2,..",

@@ -53,6 +53,8 @@ void require_body(const Camera& camera, const Scene& scene) {
   std::vector<std::string_view> names;
   for (const SceneCube& cube : scene.cubes)
     names.push_back(cube.name);
+  for (const ScenePoint& point : scene.points)
+    names.push_back(point.name);
   if (std::ranges::find(names, camera.body) != names.end()) return;
   throw UsageError(
       fmt::format("--view: there is no cube '{}'{}", camera.body, suggestion(camera.body, names)));

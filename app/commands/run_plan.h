@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<double> until;       ///< s; none: the scene's duration
   std::vector<double> samples;       ///< s
   std::vector<std::string> outputs;  ///< folders and films
+  std::optional<double> hold;        ///< s, for which films show their last frame
   std::string states;                ///< file names, empty: not wanted, `-`: standard output
   std::string forces;
   std::string events;

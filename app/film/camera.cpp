@@ -17,9 +17,18 @@ namespace {
 constexpr std::string_view follow_prefix = "follow:";
 constexpr double sides_around = 14.0;  // of a followed body, from left to right
 
-const SnapshotBox& find_body(const std::string& name, const Snapshot& snapshot) {
+/// Where a body is, and its size; points take that of a metre.
+struct Followed {
+  Vec2 center;
+  double side = 1.0;  ///< m
+};
+
+Followed find_body(const std::string& name, const Snapshot& snapshot) {
   const auto found = std::ranges::find(snapshot.boxes, name, &SnapshotBox::name);
-  if (found != snapshot.boxes.end()) return *found;
+  if (found != snapshot.boxes.end())
+    return {found->center, std::sqrt(found->size.x() * found->size.y())};
+  const auto mass = std::ranges::find(snapshot.masses, name, &SnapshotMass::name);
+  if (mass != snapshot.masses.end()) return {mass->position, 1.0};
   std::vector<std::string_view> names;
   for (const SnapshotBox& box : snapshot.boxes)
     names.push_back(box.name);
@@ -60,9 +69,8 @@ std::string option_text(const Camera& camera) {
 View camera_view(const Camera& camera, const Snapshot& snapshot, int width, int height) {
   if (camera.kind != Camera::Kind::follow)
     return fixed_view(camera.center, camera.width / camera.zoom, width, height);
-  const SnapshotBox& body = find_body(camera.body, snapshot);
-  const double side = std::sqrt(body.size.x() * body.size.y());
-  return fixed_view(body.center, sides_around * side / camera.zoom, width, height);
+  const Followed body = find_body(camera.body, snapshot);
+  return fixed_view(body.center, sides_around * body.side / camera.zoom, width, height);
 }
 
 }  // namespace wuerfel

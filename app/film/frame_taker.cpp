@@ -96,7 +96,11 @@ std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const 
       impacts_.empty() ? std::map<std::string, int>{} : numbers_of(snapshot);
   for (const Event& impact : impacts_) {
     if (impact.t <= snapshot.time - back_.average) continue;
-    sum.add_impulse(number.at(impact.on), number.at(impact.from), impact.impulse / back_.average);
+    // Point masses have no faces.
+    const auto on = number.find(impact.on);
+    const auto from = number.find(impact.from);
+    if (on != number.end() && from != number.end())
+      sum.add_impulse(on->second, from->second, impact.impulse / back_.average);
   }
   return sum.joints();
 }
@@ -118,7 +122,7 @@ std::optional<Snapshot> FrameTaker::take(const Simulation& simulation, const Ins
       looks_.emplace_back(instant.t, simulation.snapshot({.joints = true}).joints);
     return std::nullopt;
   }
-  Snapshot snapshot = simulation.snapshot(request_);
+  Snapshot snapshot = simulation.snapshot(instant.sample ? request_ : passing_);
   if (request_.joints && back_.average > 0.0) {
     looks_.emplace_back(instant.t, snapshot.joints);
     snapshot.joints = averaged(snapshot);

@@ -30,8 +30,9 @@ std::vector<Instant> with_looks(std::vector<Instant> instants, double average);
 
 class FrameTaker {
  public:
-  FrameTaker(const SnapshotRequest& request, const LookBack& back)
-      : request_(request), back_(back) {}
+  /// Of frames that were not asked for `passing` is enough.
+  FrameTaker(const SnapshotRequest& request, const SnapshotRequest& passing, const LookBack& back)
+      : request_(request), passing_(passing), back_(back) {}
 
   /// What a motion shows at one of its instants; nothing where there is no frame.
   std::optional<Snapshot> take(const Simulation& simulation, const Instant& instant);
@@ -44,6 +45,7 @@ class FrameTaker {
   [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
 
   SnapshotRequest request_;
+  SnapshotRequest passing_;
   LookBack back_;
   std::deque<std::pair<double, Joints>> looks_;  // by their times, the latest last
   std::deque<Event> impacts_;

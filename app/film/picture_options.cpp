@@ -1,11 +1,14 @@
 #include "app/film/picture_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "render/picture/explode.h"
 
 namespace wuerfel {
 
@@ -27,7 +30,7 @@ Bounds bounds_of(const PictureOptions& options, const Recording& motion) {
   const ForceScale scale = arrows ? *options.force_scale->whole : ForceScale{};
   Bounds bounds;
   motion.for_each([&](const Snapshot& snapshot) {
-    bounds.include(snapshot, scale);
+    bounds.include(options.explode > 0.0 ? exploded(snapshot, options.explode) : snapshot, scale);
     for (const SnapshotBox& box : snapshot.boxes) {
       if (options.layers.has(Layer::velocities))
         bounds.include(Vec2(box.center + options.velocity_scale.value_or(0.0) * box.velocity));
@@ -69,18 +72,6 @@ std::optional<double> fitted_acceleration_scale(const MotionRange& range) {
   return range.gravity > 0.0 ? std::min(scale, gravity_arrow * side / range.gravity) : scale;
 }
 
-// Pixels per metre are known now.
-Legend fitted_legend(const PictureOptions& options, const MotionRange& range) {
-  Legend legend = range.seen;
-  legend.insert(LegendEntry::contact);
-  if (!options.force_scale) return legend;
-  const ForceScale& scale = *options.force_scale->whole;
-  if (range.forces.cuts(scale)) legend.insert(LegendEntry::cut);
-  const double smallest = range.forces.smallest();
-  if (smallest > 0.0 && smallest < scale.hidden_below) legend.insert(LegendEntry::hidden);
-  return legend;
-}
-
 }  // namespace
 
 std::string_view to_string(Fit fit) {
@@ -116,11 +107,9 @@ bool needs_whole_motion(const PictureOptions& options) {
          || (layers.has(Layer::rod_forces) && !options.rod_scale) || (scaled && !options.color_top);
 }
 
-PictureOptions fit_to_motion(PictureOptions options, const Recording& motion) {
-  const MotionRange& range = motion.range();
+PictureOptions fit_scales(PictureOptions options, const MotionRange& range) {
   const Layers layers = options.layers;
   if (draws_forces(layers)) fit_force_scale(options, range.forces);
-  if (draws_forces(layers) && !options.legend) options.legend = fitted_legend(options, range);
   if (layers.has(Layer::velocities) && !options.velocity_scale && range.fastest > 0.0)
     options.velocity_scale = longest_velocity_arrow * range.forces.typical_side() / range.fastest;
   if (layers.has(Layer::accelerations) && !options.acceleration_scale)
@@ -131,8 +120,47 @@ PictureOptions fit_to_motion(PictureOptions options, const Recording& motion) {
     options.color_top = range.largest_load;
   if (!options.color_top && options.color_by == ColorBy::speed && range.fastest > 0.0)
     options.color_top = range.fastest;
-  if (options.camera.kind == Camera::Kind::fit) options.camera = fitted_camera(options, motion);
   return options;
+}
+
+PictureOptions fit_to_motion(PictureOptions options, const Recording& motion) {
+  PictureOptions fitted = fit_scales(std::move(options), motion.range());
+  if (fitted.camera.kind == Camera::Kind::fit) fitted.camera = fitted_camera(fitted, motion);
+  return fitted;
+}
+
+// Text and margins grow with the picture, so that the height is found step by step.
+int auto_height(const PictureOptions& scaled, const Recording& motion) {
+  const int width = scaled.size.width;
+  const Vec2 size = bounds_of(scaled, motion).size();
+  const Style style = make_style(scaled.theme);
+  const FrameOptions frame = frame_options(scaled);
+  double height = 0.5625 * width;
+  if (scaled.camera.kind != Camera::Kind::fit || !(size.x() > 0.0)) return static_cast<int>(height);
+  for (int k = 0; k < 8; ++k) {
+    const Insets insets = frame_insets(style, frame, width, static_cast<int>(height));
+    const double room = std::max(width - insets.left - insets.right, 0.25 * width);
+    height = std::clamp(room * size.y() / size.x() + insets.top + insets.bottom,
+                        least_auto_height * width, largest_auto_height * width);
+  }
+  return std::max(static_cast<int>(std::lround(height)), 16);
+}
+
+Legend legend_of(const PictureOptions& fitted, const MotionRange& range) {
+  if (fitted.legend) return *fitted.legend;
+  Legend legend = range.seen;
+  legend.insert(LegendEntry::contact);
+  if (!fitted.force_scale) return legend;
+  const ForceScale& scale = *fitted.force_scale->whole;
+  if (range.forces.cuts(scale)) legend.insert(LegendEntry::cut);
+  // Dots stand for arrows of less than some pixels.
+  const double ppm = fitted.size.width / fitted.camera.width * fitted.camera.zoom;
+  const double unit = frame_unit(fitted.size.width, fitted.size.height, fitted.scale);
+  const double least =
+      std::max(scale.hidden_below, shortest_force_arrow * unit / (scale.metres_per_newton * ppm));
+  const double smallest = range.forces.smallest();
+  if (smallest > 0.0 && smallest < least) legend.insert(LegendEntry::hidden);
+  return legend;
 }
 
 ColorBy color_by(const PictureOptions& options, std::size_t cubes) {
@@ -150,6 +178,7 @@ FrameOptions frame_options(const PictureOptions& fitted) {
   frame.full_rod_force = fitted.rod_scale.value_or(0.0);
   frame.coloring = {fitted.color_by.value_or(ColorBy::body), fitted.color_top.value_or(0.0)};
   frame.legend = fitted.legend.value_or(frame.legend);
+  frame.explode = fitted.explode;
   frame.interval = fitted.average.value_or(0.0);
   return frame;
 }
@@ -175,6 +204,7 @@ std::string option_text(const PictureOptions& fitted) {
   if (fitted.color_by) text += fmt::format(" --color {}", to_string(*fitted.color_by));
   if (fitted.color_top) text += fmt::format(" --color-top {}", *fitted.color_top);
   if (fitted.legend) text += fmt::format(" --legend {}", to_string(*fitted.legend));
+  if (fitted.explode > 0.0) text += fmt::format(" --explode {}", fitted.explode);
   if (fitted.average) text += fmt::format(" --average {}", *fitted.average);
   return text;
 }

@@ -44,11 +44,18 @@ struct PictureOptions {
   std::optional<Legend> legend;
   std::optional<double> average;  ///< s, that forces are averaged over; none: a film's interval
   Fit fit = Fit::motion;
+  double explode = 0.0;                    ///< bodies are so much farther apart than they are
   PngEncoder encoder = PngEncoder::isa_l;  ///< changes files, not pictures
 };
 
 /// "S" or "S,LONGEST,SMALLEST". Throws UsageError.
 ForceScaleChoice parse_force_scale(std::string_view text);
+
+/// Where no height is told it follows from the scene, between these shares of the width.
+constexpr double least_auto_height = 0.15;
+constexpr double largest_auto_height = 1.25;
+/// px: the height of pictures so wide, in which all of the motion just fits. Scales are fitted.
+int auto_height(const PictureOptions& scaled, const Recording& motion);
 
 /// True where only the whole motion can tell how the first picture looks.
 bool needs_whole_motion(const PictureOptions& options);
@@ -56,6 +63,11 @@ bool needs_whole_motion(const PictureOptions& options);
 /// The options with all questions answered that they left open, so that one picture can be drawn
 /// alone as if it stood in the film.
 PictureOptions fit_to_motion(PictureOptions options, const Recording& motion);
+/// The same of scales alone, which don't depend on the size of the picture.
+PictureOptions fit_scales(PictureOptions options, const MotionRange& range);
+
+/// What the legend of fitted options has to say of pictures of this range.
+Legend legend_of(const PictureOptions& fitted, const MotionRange& range);
 
 /// What colours mean where it was not said: loads in a crowd.
 ColorBy color_by(const PictureOptions& options, std::size_t cubes);

@@ -19,7 +19,7 @@ std::size_t bytes_of(const std::vector<T>& list) {
 Audit MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
   Simulation simulation(scene, motion);
   simulation.set_pulse([this] { stop.check(); });
-  FrameTaker taker(request, back);
+  FrameTaker taker(request, passing, back);
   std::optional<Audit> audit;
   for (const Instant& instant : instants) {
     stop.check();
@@ -34,8 +34,12 @@ void MotionRange::include(const Snapshot& snapshot) {
   forces.include(snapshot);
   for (const SnapshotBox& box : snapshot.boxes)
     fastest = std::max(fastest, box.velocity.norm());
+  for (const SnapshotMass& mass : snapshot.masses)
+    fastest = std::max(fastest, mass.velocity.norm());
   for (const SnapshotRod& rod : snapshot.rods)
     largest_rod = std::max(largest_rod, std::abs(rod.tension));
+  for (const SnapshotLink& link : snapshot.links)
+    largest_rod = std::max(largest_rod, std::abs(link.tension));
   for (const SnapshotBox& box : snapshot.boxes)
     largest_acceleration = std::max(largest_acceleration, box.acceleration.norm());
   gravity = snapshot.gravity.norm();
@@ -51,7 +55,8 @@ void MotionRange::include(const Snapshot& snapshot) {
 
 std::size_t Recording::Scenery::bytes() const {
   return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(joints) + bytes_of(impacts)
-         + bytes_of(rods) + bytes_of(points) + bytes_of(contacts) + bytes_of(sides);
+         + bytes_of(rods) + bytes_of(points) + bytes_of(contacts) + bytes_of(sides)
+         + bytes_of(masses) + bytes_of(links);
 }
 
 void Recording::add(Snapshot snapshot) {
@@ -64,7 +69,9 @@ void Recording::add(Snapshot snapshot) {
                   std::move(snapshot.rods),
                   std::move(snapshot.points),
                   std::move(snapshot.contacts),
-                  std::move(snapshot.sides)};
+                  std::move(snapshot.sides),
+                  snapshot.masses,
+                  snapshot.links};
   scenery.boxes.reserve(snapshot.boxes.size());
   for (const SnapshotBox& box : snapshot.boxes)
     scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin, box.acceleration,
@@ -107,6 +114,8 @@ void Recording::for_each(const std::function<void(const Snapshot&)>& show) const
     snapshot.points = scenery.points;
     snapshot.contacts = scenery.contacts;
     snapshot.sides = scenery.sides;
+    snapshot.masses = scenery.masses;
+    snapshot.links = scenery.links;
     show(snapshot);
   }
 }

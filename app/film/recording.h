@@ -25,6 +25,7 @@ struct MotionSource {
   MotionSettings motion;
   std::vector<Instant> instants;
   SnapshotRequest request;
+  SnapshotRequest passing;  ///< of frames that are only on the way to those asked for
   LookBack back;
   const StopSignal& stop;
 
@@ -82,6 +83,8 @@ class Recording {
     std::vector<SnapshotPoint> points;
     std::vector<SnapshotContact> contacts;
     std::vector<SnapshotSide> sides;
+    std::vector<SnapshotMass> masses;
+    std::vector<SnapshotLink> links;
     bool operator==(const Scenery&) const = default;
     [[nodiscard]] std::size_t bytes() const;
   };

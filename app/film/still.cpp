@@ -1,6 +1,7 @@
 #include "app/film/still.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/core.h>
@@ -16,10 +17,11 @@ namespace wuerfel {
 
 namespace {
 
-std::optional<StripLayout> layout_of(const StillOptions& options) {
-  if (!options.strip) return std::nullopt;
+bool has_legend(const StillOptions& options) { return options.picture.layers.has(Layer::hud); }
+
+StripLayout layout_of(const StillOptions& options) {
   const auto [width, height] = options.picture.size;
-  return strip_layout(*options.strip, width, height, options.picture.scale);
+  return strip_layout(*options.strip, width, height, options.picture.scale, has_legend(options));
 }
 
 // Frames of a strip are smaller, and their captions take the place of the HUD.
@@ -28,6 +30,27 @@ PictureOptions cell_options(const PictureOptions& page, const StripLayout& layou
   cell.size = {layout.cell_width, layout.cell_height};
   cell.layers.erase(Layer::hud);
   return cell;
+}
+
+// Where no height was told: that of the scene, or of a strip whose frames have the scene's shape.
+PixelSize size_of(const StillOptions& options, const Recording& motion) {
+  PixelSize size = options.picture.size;
+  if (size.height > 0) return size;
+  PictureOptions scaled = fit_scales(options.picture, motion.range());
+  size.height = size.width * 9 / 16;
+  if (!options.strip) {
+    size.height = auto_height(scaled, motion);
+    return size;
+  }
+  StillOptions page = options;
+  for (int k = 0; k < 8; ++k) {
+    page.picture.size = size;
+    const StripLayout layout = layout_of(page);
+    const int wanted = auto_height(cell_options(scaled, layout), motion);
+    size.height += options.strip->rows * (wanted - layout.cell_height);
+    size.height = std::clamp(size.height, 16 * (4 + 3 * options.strip->rows), 16384);
+  }
+  return size;
 }
 
 // When to look: at the times asked for, and as often as a film would where trails are drawn or the
@@ -50,10 +73,13 @@ MotionSource source_of(const Scene& scene,
     instant.frame = instant.frame || instant.sample;
   const PictureOptions& picture = options.picture;
   const SnapshotRequest request = snapshot_request(picture, scene.cubes.size());
+  SnapshotRequest passing = request;
+  passing.unique = false;
   const LookBack back = look_back(picture, 0.0, options.rate.speed);
   return {
       scene,   options.motion, with_looks(std::move(instants), request.joints ? back.average : 0.0),
-      request, back,           stop};
+      request, passing,        back,
+      stop};
 }
 
 // A picture is the frame of a film, and its forces are those of such a frame.
@@ -66,24 +92,44 @@ StillOptions completed(const Scene& scene, const StillOptions& options) {
   return all;
 }
 
-/// One by one, the draw lists of the instants that were asked for.
-std::vector<DrawList> compose_cells(const Recording& motion,
-                                    const std::vector<Instant>& instants,
-                                    const PictureOptions& fitted,
-                                    Font& font) {
-  const Style style = make_style(fitted.theme);
-  const FrameOptions frame = frame_options(fitted);
-  Trails trails;
-  std::vector<DrawList> lists;
+/// Calls `show` with every snapshot, whether it stands on the way there, and whether it was asked for.
+template <typename Show>
+void for_each_shown(const Recording& motion,
+                    const std::vector<Instant>& instants,
+                    const Show& show) {
   auto instant = instants.begin();
   motion.for_each([&](const Snapshot& snapshot) {
     while (!instant->frame && !instant->sample)
       ++instant;
-    const auto [t, on_the_way, asked_for, look] = *instant++;
-    if (on_the_way) trails.add(snapshot);
-    if (!asked_for) return;
+    show(snapshot, *instant++);
+  });
+}
+
+MotionRange range_of_shown(const Recording& motion, const std::vector<Instant>& instants) {
+  MotionRange range;
+  for_each_shown(motion, instants, [&range](const Snapshot& snapshot, const Instant& instant) {
+    if (instant.sample) range.include(snapshot);
+  });
+  return range;
+}
+
+/// One by one, the draw lists of the instants that were asked for.
+std::vector<DrawList> compose_cells(const Recording& motion,
+                                    const std::vector<Instant>& instants,
+                                    const PictureOptions& fitted,
+                                    const std::vector<SnapshotBox>& ghosts,
+                                    Font& font) {
+  const Style style = make_style(fitted.theme);
+  const FrameOptions frame = frame_options(fitted);
+  const bool with_trails = fitted.layers.has(Layer::trails);
+  Trails trails;
+  std::vector<DrawList> lists;
+  for_each_shown(motion, instants, [&](const Snapshot& snapshot, const Instant& instant) {
+    if (with_trails && instant.frame) trails.add(snapshot);
+    if (!instant.sample) return;
     Snapshot shown = snapshot;
     shown.trails = trails.paths();
+    shown.ghosts = ghosts;
     lists.push_back(compose_frame(shown, view_of(fitted, shown), style, frame, font));
   });
   return lists;
@@ -96,7 +142,63 @@ std::string settings_text(const StillOptions& options, const PictureOptions& fit
   std::string text = option_text(page);
   if (options.strip)
     text += fmt::format(" --strip {}x{}", options.strip->columns, options.strip->rows);
+  if (options.ghosts > 0) text += fmt::format(" --ghosts {}", options.ghosts);
   return text + " " + option_text(options.motion);
+}
+
+/// Cubes where they were at even times before.
+std::vector<SnapshotBox> ghosts_of(const Scene& scene,
+                                   const StillOptions& options,
+                                   const StopSignal& stop) {
+  std::vector<SnapshotBox> ghosts;
+  if (options.ghosts == 0) return ghosts;
+  std::vector<double> times;
+  for (int k = 0; k < options.ghosts; ++k)
+    times.push_back(options.times.back() * k / options.ghosts);
+  const MotionSource source{scene, options.motion, timetable(times.back(), times, {}), {}, {}, {},
+                            stop};
+  source.show_frames([&ghosts](const Snapshot& snapshot) {
+    std::ranges::copy_if(snapshot.boxes, std::back_inserter(ghosts),
+                         [](const SnapshotBox& box) { return !box.fixed; });
+  });
+  return ghosts;
+}
+
+void add_strip(const StillOptions& options,
+               const PictureOptions& fitted,
+               const Snapshot& first,
+               std::vector<DrawList> lists,
+               Font& font,
+               Still& still) {
+  const StripLayout layout = layout_of(options);
+  std::vector<std::string> captions;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const CellPlace place = cell_place(layout, i);
+    captions.push_back(fmt::format("t = {:.3f} s", options.times[i]));
+    still.cells.push_back({std::move(lists[i]), place.x, place.y});
+  }
+  const Style style = make_style(fitted.theme);
+  still.page = strip_page(captions, layout, style, first.title);
+  if (layout.foot_height == 0) return;
+  View view = view_of(fitted, first);
+  view.width = layout.width;
+  view.height = layout.foot_height;
+  FrameOptions frame = frame_options(fitted);
+  frame.layers.insert(Layer::hud);
+  still.cells.push_back({compose_legend(first, view, layout.unit, style, frame, font), 0,
+                         layout.height - layout.foot_height});
+}
+
+FigureTexts texts_of(const Still& still, const Snapshot& first) {
+  FigureTexts texts;
+  texts.title = first.title;
+  texts.description = "wuerfel: ";
+  for (const PngText& text : still.origin)
+    if (text.key == time_key) texts.description += "t = " + text.value + " s";
+  texts.origin = still.origin;
+  for (const SnapshotBox& box : first.boxes)
+    texts.bodies.push_back(box.name);
+  return texts;
 }
 
 }  // namespace
@@ -105,32 +207,36 @@ Still compose_still(const Scene& scene,
                     const StillOptions& asked,
                     const StopSignal& stop,
                     Font& font) {
-  const StillOptions options = completed(scene, asked);
-  const std::optional<StripLayout> layout = layout_of(options);
+  StillOptions options = completed(scene, asked);
   const std::vector<Instant> instants = instants_of(options, scene);
   const MotionSource source = source_of(scene, options, instants, stop);
   Recording motion(source);
   Still still;
-  still.audit = source.show_frames([&motion](const Snapshot& snapshot) { motion.add(snapshot); });
+  Snapshot first;
+  still.audit = source.show_frames([&](const Snapshot& snapshot) {
+    if (first.boxes.empty()) first = snapshot;
+    motion.add(snapshot);
+  });
+  first.ghosts = ghosts_of(scene, options, stop);
 
-  const PictureOptions fitted =
-      fit_to_motion(layout ? cell_options(options.picture, *layout) : options.picture, motion);
-  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, font);
+  options.picture.size = size_of(options, motion);
+  const auto picture =
+      options.strip ? cell_options(options.picture, layout_of(options)) : options.picture;
+  PictureOptions fitted = fit_to_motion(picture, motion);
+  fitted.legend = legend_of(fitted, range_of_shown(motion, instants));
+  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, first.ghosts, font);
+  for (const DrawList& list : lists)
+    still.labels_left_out += list.labels_left_out;
 
   still.origin.push_back(time_text(options.times));
   for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(scene)))
     still.origin.push_back(std::move(text));
-  if (!layout) {
+  still.texts = texts_of(still, first);
+  if (options.strip) {
+    add_strip(options, fitted, first, std::move(lists), font, still);
+  } else {
     still.page = std::move(lists.front());
-    return still;
   }
-  std::vector<std::string> captions;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    const CellPlace place = cell_place(*layout, i);
-    captions.push_back(fmt::format("t = {:.3f} s", options.times[i]));
-    still.cells.push_back({std::move(lists[i]), place.x, place.y});
-  }
-  still.page = strip_page(captions, *layout, make_style(fitted.theme));
   return still;
 }
 

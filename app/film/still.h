@@ -27,6 +27,7 @@ struct StillOptions {
   /// Frames of the film that the picture fits into: how often trails look where cubes are, too.
   FrameRate rate;
   std::optional<double> end;  ///< s, of that film; none: the scene's duration
+  int ghosts = 0;             ///< earlier poses, evenly from the start
 };
 
 /// A still picture that any backend can draw.
@@ -34,7 +35,9 @@ struct Still {
   DrawList page;
   std::vector<PlacedList> cells;  ///< of a strip
   std::vector<PngText> origin;
+  FigureTexts texts;  ///< of vector figures
   Audit audit;
+  int labels_left_out = 0;
 };
 
 /// Simulates up to the last of the times. Throws SceneError, RenderError,

@@ -19,6 +19,10 @@ void Trails::add(const Snapshot& snapshot) {
     if (i == paths_.size()) paths_.push_back({box.color_index, box.color, {}});
     paths_[i++].path.push_back(box.center);
   }
+  for (const SnapshotMass& mass : snapshot.masses) {
+    if (i == paths_.size()) paths_.push_back({static_cast<int>(i), {}, {}});
+    paths_[i++].path.push_back(mass.position);
+  }
   last_is_extra_ = moments_ % stride_ != 0;
   ++moments_;
   if (!paths_.empty() && !last_is_extra_ && paths_.front().path.size() >= most_places) thin_out();

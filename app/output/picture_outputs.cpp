@@ -1,6 +1,7 @@
 #include "app/output/picture_outputs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -40,12 +41,16 @@ void require_picture_output(const std::string& name) {
 }
 
 PictureOutputs::PictureOutputs(const std::vector<std::string>& names,
-                               const AnimationSettings& settings) {
+                               const AnimationSettings& settings,
+                               std::optional<double> hold) {
+  constexpr double hold_of_loops = 1.0;  // s
   for (const std::string& name : names) {
     if (names_folder(name)) {
       folders_.push_back(std::make_unique<FrameFolder>(name));
     } else {
       films_.push_back(make_animation_writer(name, settings));
+      const bool loops = has_suffix(name, ".gif") || has_suffix(name, ".apng");
+      repeats_.push_back(std::lround(hold.value_or(loops ? hold_of_loops : 0.0) * settings.fps));
     }
   }
 }
@@ -84,8 +89,11 @@ PipelineOutputs PictureOutputs::pipeline_outputs() {
 void PictureOutputs::finish() {
   for (const auto& folder : folders_)
     folder->finish();
-  for (const auto& film : films_)
-    film->finish();
+  for (std::size_t i = 0; i < films_.size(); ++i) {
+    for (long k = 0; k < repeats_[i]; ++k)
+      films_[i]->repeat();
+    films_[i]->finish();
+  }
 }
 
 }  // namespace wuerfel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,10 @@ class PictureOutputs {
  public:
   /// Folders and films by their names. Throws OutputError where one of them cannot be made or
   /// ffmpeg is missing, and RenderError where a film cannot have these settings.
-  PictureOutputs(const std::vector<std::string>& names, const AnimationSettings& settings);
+  /// A film shows its last frame for `hold` s more; none: a second where it starts anew by itself.
+  PictureOutputs(const std::vector<std::string>& names,
+                 const AnimationSettings& settings,
+                 std::optional<double> hold = std::nullopt);
 
   [[nodiscard]] bool empty() const { return folders_.empty() && films_.empty(); }
 
@@ -29,6 +33,7 @@ class PictureOutputs {
  private:
   std::vector<std::unique_ptr<FrameFolder>> folders_;
   std::vector<std::unique_ptr<AnimationWriter>> films_;
+  std::vector<long> repeats_;  // of the last frame of each film
 };
 
 /// Notes where a film cannot be what was asked for: of an odd size, or transparent; and an --encoder

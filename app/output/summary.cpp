@@ -21,11 +21,11 @@ Json settings_json(const MotionSettings& settings) {
 
 Json sample_json(const Scene& scene, const Sample& sample) {
   Json bodies = Json::object();
-  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+  for (std::size_t i = 0; i < sample.states.size(); ++i) {
     const BodyState& body = sample.states[i];
-    bodies[scene.cubes[i].name] = {{"x", body.position.x()},  {"y", body.position.y()},
-                                   {"theta", body.angle},     {"vx", body.velocity.x()},
-                                   {"vy", body.velocity.y()}, {"omega", body.spin}};
+    bodies[moving_name(scene, static_cast<int>(i))] = {
+        {"x", body.position.x()},  {"y", body.position.y()},  {"theta", body.angle},
+        {"vx", body.velocity.x()}, {"vy", body.velocity.y()}, {"omega", body.spin}};
   }
   return {{"t", sample.t}, {"bodies", std::move(bodies)}};
 }

@@ -49,9 +49,9 @@ void Tables::add_states(double t, const Scene& scene, const State& states) {
   if (!states_) return;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const BodyState& s = states[i];
-    states_->write(fmt::format("{},{},{},{},{},{},{},{}\n", t, quoted(scene.cubes[i].name),
-                               s.position.x(), s.position.y(), s.angle, s.velocity.x(),
-                               s.velocity.y(), s.spin));
+    states_->write(fmt::format("{},{},{},{},{},{},{},{}\n", t,
+                               quoted(moving_name(scene, static_cast<int>(i))), s.position.x(),
+                               s.position.y(), s.angle, s.velocity.x(), s.velocity.y(), s.spin));
   }
 }
 
@@ -61,6 +61,23 @@ void Tables::add_forces(const Snapshot& snapshot) {
     forces_->write(fmt::format("{},{},{},{},{},{},{},{}\n", snapshot.time, pushed(snapshot, force),
                                kind_name(force.kind), force.point.x(), force.point.y(),
                                force.force.x(), force.force.y(), snapshot.force_residual));
+  }
+  add_links(snapshot);
+}
+
+void Tables::add_links(const Snapshot& snapshot) {
+  for (const SnapshotLink& link : snapshot.links) {
+    const std::string_view kind = link.pin             ? "pin"
+                                  : link.tension < 0.0 ? kind_name(ForceKind::rod_compression)
+                                                       : kind_name(ForceKind::rod_tension);
+    const auto write = [&](const std::string& body, const Vec2& place, const Vec2& force) {
+      if (body.empty()) return;
+      forces_->write(fmt::format("{},{},{},{},{},{},{},{}\n", snapshot.time, quoted(body), kind,
+                                 place.x(), place.y(), force.x(), force.y(),
+                                 snapshot.force_residual));
+    };
+    write(link.bodies[0], link.a, link.force);
+    write(link.bodies[1], link.b, -link.force);
   }
 }
 

@@ -24,6 +24,8 @@ class Tables {
   void finish(const std::vector<Event>& events);
 
  private:
+  void add_links(const Snapshot& snapshot);
+
   std::optional<TextOutput> states_;
   std::optional<TextOutput> forces_;
   std::optional<TextOutput> events_;

@@ -144,7 +144,7 @@ void ContactFinder::find_on_planes(const System& system,
       if (separation > touching) continue;
       note(separation, scale, i, p);
       int corners = 0;
-      for (int k = 0; k < Box::corners; ++k) {
+      for (int k = 0; k < box.corner_count(); ++k) {
         const Contact c = corner_on_plane(i, box, k, p, plane);
         if (c.gap > touching) continue;
         contacts.push_back(c);

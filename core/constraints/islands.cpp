@@ -24,6 +24,11 @@ void find_islands(const System& system,
     }
     if (system.is_cube(c.on) && system.is_cube(c.from)) sets.unite(c.on, c.from);
   }
+  for (const Rod& rod : system.rods) {
+    for (const int body : {rod.i.body, rod.j.body})
+      if (body >= 0) touched[body] = 1;
+    if (rod.i.body >= 0 && rod.j.body >= 0) sets.unite(rod.i.body, rod.j.body);
+  }
   std::vector<int> number(system.cubes, -1);
   int used = 0;
   for (int i = 0; i < system.cubes; ++i) {
@@ -35,6 +40,7 @@ void find_islands(const System& system,
       islands[k].cubes.clear();
       islands[k].contacts.clear();
       islands[k].touches.clear();
+      islands[k].rods.clear();
     }
     islands[k].cubes.push_back(i);
   }
@@ -48,6 +54,11 @@ void find_islands(const System& system,
     Island& island = island_of(c.on, c.from);
     place.push_back(static_cast<int>(island.contacts.size()));
     island.contacts.push_back(c);
+  }
+  for (int k = 0; k < static_cast<int>(system.rods.size()); ++k) {
+    const Rod& rod = system.rods[k];
+    const int body = rod.i.body >= 0 ? rod.i.body : rod.j.body;
+    islands[number[sets.root(body)]].rods.push_back(k);
   }
   for (const Touch& touch : touches) {
     Island& island = island_of(touch.on, touch.from);
@@ -63,6 +74,8 @@ void one_island(const System& system,
   islands[0].cubes.resize(system.cubes);
   std::iota(islands[0].cubes.begin(), islands[0].cubes.end(), 0);
   islands[0].contacts = contacts;
+  islands[0].rods.resize(system.rods.size());
+  std::iota(islands[0].rods.begin(), islands[0].rods.end(), 0);
 }
 
 void add_free_cubes(const System& system, std::vector<Island>& islands) {

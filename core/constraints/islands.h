@@ -1,5 +1,5 @@
-/// Islands: groups of cubes that touch one another. Each is a program of its own; cubes without
-/// contacts need none.
+/// Islands: groups of cubes that touch one another or that rods join. Each is a program of its own;
+/// cubes without contacts and rods need none.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,12 @@ struct Island {
   std::vector<int> cubes;         ///< ascending
   std::vector<Contact> contacts;  ///< of these cubes with one another and with what is fixed
   std::vector<Touch> touches{};   ///< of these contacts, where they were asked for
+  std::vector<int> rods{};        ///< of these cubes: numbers in System::rods, ascending
+  /// m, per rod: what its length has come to miss beyond the first order in a placement; empty: nothing.
+  std::vector<double> bends{};
 };
 
-/// Cubes joined by contacts, in the order of their first cube; free cubes belong to no island.
+/// Cubes joined by contacts and rods, in the order of their first cube; free cubes belong to no island.
 void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
                   std::vector<Island>& islands);

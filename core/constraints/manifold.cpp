@@ -25,7 +25,7 @@ Incident incident_corners(const Box& a, int e, const Box& b, double tolerance) {
   Incident incident;
   const Vec2 n = a.normal(e);
   const double offset = n.dot(b.center - a.center) - a.reach(e);
-  for (int k = 0; k < Box::corners; ++k) {
+  for (int k = 0; k < b.corner_count(); ++k) {
     if (offset + n.dot(b.arm[k]) <= tolerance) {
       incident.corner[incident.count++] = k;
     }

@@ -29,7 +29,11 @@ BoundingBox predicted_bounds(const Vec2& start, const Vec2& end, const Vec2& rea
 std::span<const IndexPair> Neighbours::pairs_with_cubes(const System& system) {
   const std::vector<IndexPair>& pairs = broad_phase_.overlapping_pairs(bounds_);
   const auto end = std::ranges::lower_bound(pairs, IndexPair{system.cubes, 0});
-  return {pairs.begin(), end};
+  if (system.all_may_touch()) return {pairs.begin(), end};
+  may_touch_.clear();
+  std::copy_if(pairs.begin(), end, std::back_inserter(may_touch_),
+               [&](const IndexPair& pair) { return system.may_touch(pair.first, pair.second); });
+  return may_touch_;
 }
 
 }  // namespace wuerfel

@@ -24,7 +24,8 @@ BoundingBox predicted_bounds(const Vec2& start, const Vec2& end, const Vec2& rea
 class Neighbours {
  public:
   /// Pairs (i, j), i < j, i a cube and j a cube or a fixed box, in ascending order, of which
-  /// `bounds_of(i)` and `bounds_of(j)` overlap.
+  /// `bounds_of(i)` and `bounds_of(j)` overlap and that
+  /// may touch.
   template <typename BoundsOf>
   std::span<const IndexPair> find(const System& system, BoundsOf&& bounds_of) {
     bounds_.clear();
@@ -37,6 +38,7 @@ class Neighbours {
   std::span<const IndexPair> pairs_with_cubes(const System& system);
 
   std::vector<BoundingBox> bounds_;
+  std::vector<IndexPair> may_touch_;
   BroadPhase broad_phase_;
 };
 

@@ -11,8 +11,17 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
                            const std::vector<char>& resting,
                            std::span<const Touch> touches) {
   rubbing_.close(touches);
+  resting_ = resting;
   island_.contacts = contacts;
   island_.cubes.clear();
+  island_.rods.clear();
+  for (int k = 0; k < static_cast<int>(system_->rods.size()); ++k) {
+    const Rod& rod = system_->rods[k];
+    if (!moves(rod.i) && !moves(rod.j)) continue;
+    island_.rods.push_back(k);
+    for (const int body : {rod.i.body, rod.j.body})
+      if (body >= 0) island_.cubes.push_back(body);
+  }
   for (const Contact& c : contacts) {
     for (const int body : {c.on, c.from}) {
       if (system_->is_cube(body)) island_.cubes.push_back(body);
@@ -21,10 +30,13 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
   std::ranges::sort(island_.cubes);
   island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
   laid_out_ = false;
-  resting_ = resting;
   boxes_.resize(system_->count());
   for (int i = system_->cubes; i < system_->count(); ++i)
     boxes_[i] = system_->body(i).box;
+}
+
+bool ClosedContacts::moves(const RodEnd& end) const {
+  return end.body >= 0 && (resting_.empty() || resting_[end.body] == 0);
 }
 
 void ClosedContacts::pose(const State& state) {
@@ -37,7 +49,7 @@ void ClosedContacts::pose(const State& state) {
 }
 
 const std::vector<double>& ClosedContacts::nearest(const State& state, Order order) {
-  if (island_.contacts.empty()) return x_;
+  if (none()) return x_;
   pose(state);
   if (rubbing_.any()) {
     rubbing_.solve(*system_, state, island_, order, x_, forces_);
@@ -53,7 +65,12 @@ const std::vector<double>& ClosedContacts::nearest(const State& state, Order ord
     solver_.factorise(builder_.program());
     laid_out_ = true;
   }
-  solver_.solve(builder_.program(), x_, forces_);
+  if (island_.rods.empty()) {
+    solver_.solve(builder_.program(), x_, forces_);
+    return x_;
+  }
+  solver_.solve(builder_.program(), x_, multipliers_);
+  forces_.assign(multipliers_.begin() + builder_.first_contact_row(), multipliers_.end());
   return x_;
 }
 

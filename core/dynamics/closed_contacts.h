@@ -1,4 +1,4 @@
-/// Smooth motion: a set of contacts that stay closed. Their sides are equalities, so accelerations
+/// Smooth motion: a set of contacts that stay closed, and rods. Their sides are equalities, so accelerations
 /// follow from one linear system, not from a search, and are smooth functions of the state.
 #pragma once
 
@@ -18,7 +18,7 @@ class ClosedContacts {
   explicit ClosedContacts(const System& system);
 
   /// From now on these contacts are closed. `resting`, one per cube, names the cubes that stay
-  /// where they are; no contact may join them to cubes that move. `touches`: those of the contacts,
+  /// where they are; no contact and no rod may join them to cubes that move. `touches`: those of the contacts,
   /// with what they do along their sides; not needed where nothing rubs.
   void close(const std::vector<Contact>& contacts,
              const std::vector<char>& resting,
@@ -28,10 +28,11 @@ class ClosedContacts {
   [[nodiscard]] const std::vector<Contact>& contacts() const { return island_.contacts; }
   /// The cubes that they restrict, ascending.
   [[nodiscard]] const std::vector<int>& cubes() const { return island_.cubes; }
+  /// Whether nothing holds any cube: neither a contact nor a rod.
+  [[nodiscard]] bool none() const { return island_.contacts.empty() && island_.rods.empty(); }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
   [[nodiscard]] bool redundant() const {
-    return rubbing_.any() ? rubbing_.redundant()
-                          : !island_.contacts.empty() && solver_.dependent_rows() > 0;
+    return rubbing_.any() ? rubbing_.redundant() : !none() && solver_.dependent_rows() > 0;
   }
 
   /// Accelerations of all cubes (m/s^2, rad/s^2). Afterwards `contacts` are those at `state`, and
@@ -48,6 +49,7 @@ class ClosedContacts {
   const std::vector<double>& nearest(const State& state, Order order);
 
  private:
+  [[nodiscard]] bool moves(const RodEnd& end) const;
   void pose(const State& state);
 
   const System* system_;
@@ -59,6 +61,7 @@ class ClosedContacts {
   bool laid_out_ = false;  ///< the builder has a program over `island_`
   std::vector<Box> boxes_;
   std::vector<double> x_;
+  std::vector<double> multipliers_;  ///< rods first
   std::vector<double> forces_;
 };
 

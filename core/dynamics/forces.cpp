@@ -7,6 +7,7 @@
 
 #include "core/dynamics/programs.h"
 #include "core/dynamics/pull_back.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/qp/coulomb/canonical_friction.h"
 #include "core/qp/coulomb/coulomb_solver.h"
 #include "core/qp/methods/canonical_multipliers.h"
@@ -39,10 +40,20 @@ double choose(const FrictionProgram& friction,
   CanonicalFriction().find(friction, x, given, uniqueness == Uniqueness::asked, least);
   const double residual = coulomb_residual(friction, x, least.multiplier).worst();
   if (residual <= CoulombSettings{}.tolerance) return residual;
-  least.unique.assign(friction.contacts.size(), false);
+  least.unique.assign(least.unique.size(), false);
   const double of_given = coulomb_residual(friction, x, given).worst();
   if (of_given < residual) least.multiplier = given;
   return std::min(residual, of_given);
+}
+
+/// The forces of rods, which come first of all rows.
+void take_rods(const std::vector<double>& multiplier,
+               const std::vector<bool>& unique,
+               std::size_t rods,
+               ContactForces& result) {
+  const auto count = static_cast<std::ptrdiff_t>(rods);
+  result.rods.assign(multiplier.begin(), multiplier.begin() + count);
+  result.rods_unique.assign(unique.begin(), unique.begin() + count);
 }
 
 }  // namespace
@@ -54,7 +65,8 @@ ContactForces canonical_forces(const System& system,
                                const IslandSolution& solution,
                                Uniqueness uniqueness) {
   const std::vector<SideUse> use = uses(solution);
-  std::vector<double> multiplier;
+  std::vector<double> multiplier = solution.rods;
+  multiplier.resize(island.rods.size(), 0.0);
   for (std::size_t k = 0; k < use.size(); ++k)
     if (use[k] != SideUse::none) multiplier.push_back(solution.forces[k]);
   ProgramBuilder builder(system, Formulation::rigid);
@@ -64,7 +76,8 @@ ContactForces canonical_forces(const System& system,
   CanonicalMultipliers().find(builder.program(), x, multiplier, uniqueness == Uniqueness::asked,
                               least);
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
-  std::size_t row = 0;
+  std::size_t row = island.rods.size();
+  take_rods(least.multiplier, least.unique, row, result);
   for (std::size_t k = 0; k < use.size(); ++k) {
     if (use[k] == SideUse::none) continue;  // no force, and only that one
     result.force[k] = least.multiplier[row];
@@ -90,6 +103,7 @@ ContactForces canonical_forces_with_friction(const System& system,
   const FrictionProgram friction = builder.friction_program();
   const std::vector<int>& number = builder.friction_contact();
   std::vector<double> multiplier(friction.program.rows(), 0.0);
+  std::ranges::copy(solution.rods, multiplier.begin() + builder.first_rod_row());
   for (std::size_t k = 0; k < use.size(); ++k) {
     if (number[k] < 0) continue;
     const FrictionContact& c = friction.contacts[number[k]];
@@ -100,6 +114,9 @@ ContactForces canonical_forces_with_friction(const System& system,
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1),
                        std::vector<double>(use.size(), 0.0)};
   result.residual = choose(friction, unknowns(accelerations), multiplier, uniqueness, least);
+  const auto rods = static_cast<std::ptrdiff_t>(friction.contacts.size());
+  take_rods(least.multiplier, {least.unique.begin() + rods, least.unique.end()}, island.rods.size(),
+            result);
   for (std::size_t k = 0; k < use.size(); ++k) {
     if (number[k] < 0) continue;  // an opening contact has no force
     const FrictionContact& c = friction.contacts[number[k]];
@@ -114,7 +131,7 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
                                              const State& state,
                                              int cube,
                                              const Twist& acceleration,
-                                             const std::vector<Contact>& contacts,
+                                             const Island& island,
                                              const ContactForces& forces) {
   const Body& body = system.body(cube);
   const BodyState& s = state[cube];
@@ -134,11 +151,24 @@ std::array<double, rods_per_cube> rod_forces(const System& system,
       missing.segment<2>(2 * c.side) -= force * row.g_j;
     }
   };
+  const std::vector<Contact>& contacts = island.contacts;
   for (std::size_t m = 0; m < contacts.size(); ++m) {
     push(contacts[m], normal_row(system, state, contacts[m], Order::velocity), forces.force[m]);
     if (forces.tangential.empty()) continue;
     push(contacts[m], tangential_row(system, state, contacts[m], Order::velocity),
          forces.tangential[m]);
+  }
+  const auto hold = [&](const RodEnd& end, const Vec2& force) {
+    if (end.body != cube) return;
+    const auto share = share_of_points(end.at, body.size);
+    for (int k = 0; k < points_per_cube; ++k)
+      missing.segment<2>(2 * k) -= share[k] * force;
+  };
+  for (std::size_t m = 0; m < island.rods.size(); ++m) {
+    const Rod& rod = system.rods[island.rods[m]];
+    const Vec2 force = forces.rods[m] * rod_direction(rod, state);
+    hold(rod.i, force);
+    hold(rod.j, -force);
   }
   Eigen::Matrix<double, 2 * points_per_cube, rods_per_cube> directions;
   directions.setZero();

@@ -1,8 +1,8 @@
 /// Which forces are shown. Multipliers are forces, but in a hyperstatic stack many multipliers are
 /// optimal (the paper, section 2.3, blames elasticity; the reason is that rigid bodies
 /// over-determine their supports). Shown is the non-negative distribution of least sum of squares
-/// over unit-normal contact forces: the limit of equal, vanishing compliance at every contact, both ways where it rubs. Rod
-/// forces follow cube by cube and take least squares of their own.
+/// over unit-normal contact forces and rods between bodies together: the limit of equal, vanishing compliance at every contact
+/// and rod, both ways where it rubs or is pinned. Rods of cubes follow cube by cube and take least squares of their own.
 #pragma once
 
 #include <array>
@@ -22,6 +22,9 @@ struct ContactForces {
       unique;  ///< whether no other force here gives the same accelerations; all 0 if ignored
   /// N, along perp(normal) on the body of the corner; empty where nothing rubs.
   std::vector<double> tangential{};
+  std::vector<double>
+      rods{};  ///< N; one per rod of the island, on the body of place i (rod_rows.h)
+  std::vector<char> rods_unique{};  ///< likewise, as `unique`
   /// Of these very forces: QpResidual::worst() with the accelerations, and body by body what they miss
   /// of Newton's law in parts of the largest force on the body (ResidualMeter::imbalance); where
   /// something rubs CoulombResidual::worst().
@@ -49,13 +52,13 @@ ContactForces canonical_forces_with_friction(const System& system,
                                              Uniqueness uniqueness);
 
 /// Tensions (N, tension positive) of the rods of one cube, in the order of cube_rods: least sum of
-/// squares among those that give every point its acceleration under gravity and the contact forces
-/// on the cube.
+/// squares among those that give every point its acceleration under gravity and the forces of contacts and rods
+/// on the cube, which are those of `island`.
 std::array<double, rods_per_cube> rod_forces(const System& system,
                                              const State& state,
                                              int cube,
                                              const Twist& acceleration,
-                                             const std::vector<Contact>& contacts,
+                                             const Island& island,
                                              const ContactForces& forces);
 
 }  // namespace wuerfel

@@ -55,10 +55,13 @@ IslandSolution FrictionDynamics::read(const State& state,
   solution.tangential.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
   solution.slips.assign(island.contacts.size(), 0.0);
+  solution.rods.assign(island.rods.size(), 0.0);
   const QuadraticProgram& program = builder_.program();
   const bool known = static_cast<int>(result.x.size()) == program.unknowns();
   solution.twists = builder_.twists(state, island, known ? result.x : program.target);
   if (!known) return solution;
+  std::copy_n(result.multiplier.begin() + builder_.first_rod_row(), solution.rods.size(),
+              solution.rods.begin());
   const FrictionProgram friction = builder_.friction_program();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const int n = builder_.friction_contact()[k];

@@ -28,7 +28,10 @@ constexpr double pressing_share = 1e-9;
 }  // namespace
 
 double IslandSolution::largest_force() const {
-  return forces.empty() ? 0.0 : std::ranges::max(forces);
+  double largest = forces.empty() ? 0.0 : std::ranges::max(forces);
+  for (const double force : rods)
+    largest = std::max(largest, std::abs(force));
+  return largest;
 }
 
 double IslandSolution::least_pressing() const { return pressing_share * largest_force(); }
@@ -83,6 +86,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   solution.iterations = solution.skipped ? 0 : result.iterations;
   solution.forces.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
+  solution.rods.assign(island.rods.size(), 0.0);
   if (static_cast<int>(result.x.size()) != program.unknowns()
       || !std::isfinite(solution.residual)) {
     // Without an answer nothing is pushed: the caller sees the status and counts it.
@@ -90,6 +94,8 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
     return solution;
   }
   solution.twists = builder_.twists(state, island, result.x);
+  std::copy_n(result.multiplier.begin() + builder_.first_rod_row(), solution.rods.size(),
+              solution.rods.begin());
   int row = builder_.first_contact_row();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     if (use_[k] == SideUse::none) continue;

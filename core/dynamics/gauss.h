@@ -18,6 +18,8 @@ struct [[nodiscard]] IslandSolution {
   int iterations = 0;          ///< of the solver
   std::vector<Twist> twists;   ///< per cube: accelerations, or velocities after an impact
   std::vector<double> forces;  ///< per contact: N, or N s; 0 where the contact is not active
+  std::vector<double>
+      rods{};  ///< per rod of the island: N, or N s, on the body of place i (rod_rows.h)
   /// Per contact: N, or N s, along perp(normal) on the body of the corner; empty where nothing rubs.
   std::vector<double> tangential;
   bool friction_inexact = false;    ///< Coulomb's law was missed by `residual`

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
@@ -30,9 +32,12 @@ Impact with_loss(const System& system,
 }  // namespace
 
 bool closes(const System& system, const State& state, const Island& island) {
-  return std::ranges::any_of(island.contacts, [&](const Contact& c) {
-    return contact_motion(system, state, c) == ContactMotion::closing;
-  });
+  return std::ranges::any_of(island.contacts,
+                             [&](const Contact& c) {
+                               return contact_motion(system, state, c) == ContactMotion::closing;
+                             })
+         || std::ranges::any_of(island.rods,
+                                [&](int rod) { return jerks(system, state, system.rods[rod]); });
 }
 
 Impact impact(const System& system,

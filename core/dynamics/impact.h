@@ -12,7 +12,7 @@ struct [[nodiscard]] Impact {
   double loss = 0.0;     ///< J, what the impact takes of the kinetic energy
 };
 
-/// Whether some contact closes, so that an impact is due.
+/// Whether some contact closes, or velocities change the length of a rod, so that an impact is due.
 bool closes(const System& system, const State& state, const Island& island);
 
 /// The impact of an island. Changes nothing: the caller takes the velocities over and books.

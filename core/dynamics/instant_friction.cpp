@@ -46,6 +46,8 @@ void read_forces(const ProgramBuilder& builder,
                  const std::vector<double>& multiplier,
                  IslandSolution& solution) {
   const FrictionProgram friction = builder.friction_program();
+  std::copy_n(multiplier.begin() + builder.first_rod_row(), solution.rods.size(),
+              solution.rods.begin());
   for (std::size_t k = 0; k < solution.forces.size(); ++k) {
     const int n = builder.friction_contact()[k];
     if (n < 0) continue;
@@ -68,6 +70,7 @@ IslandSolution read(const ProgramBuilder& builder,
   solution.forces.assign(contacts, 0.0);
   solution.tangential.assign(contacts, 0.0);
   solution.slacks.assign(contacts, unbounded);
+  solution.rods.assign(island.rods.size(), 0.0);
   const bool known = static_cast<int>(x.size()) == program.unknowns();
   solution.twists = builder.twists(state, island, known ? x : program.target);
   if (known) read_forces(builder, x, multiplier, solution);
@@ -117,6 +120,7 @@ std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSoluti
   const std::vector<double> x = flat(of.twists);
   const double scale = CoulombJudge().measure_scales(friction.program).velocity;
   std::vector<double> multiplier(friction.program.rows(), 0.0);
+  std::ranges::copy(of.rods, multiplier.begin() + builder.first_rod_row());
   for (std::size_t k = 0; k < of.forces.size(); ++k) {
     const int n = builder.friction_contact()[k];
     if (n < 0) continue;

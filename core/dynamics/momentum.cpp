@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
@@ -41,6 +43,18 @@ void push(const System& system, const Contact& c, const Vec2& impulse, State& st
   if (system.is_cube(c.from)) add(c.from, arm_of_side(c), -impulse);
 }
 
+void push(const System& system, const Rod& rod, double impulse, const State& place, State& state) {
+  const Vec2 p = impulse * rod_direction(rod, place);
+  const auto add = [&](const RodEnd& end, const Vec2& on_end) {
+    if (end.body < 0) return;
+    const Body& body = system.body(end.body);
+    state[end.body].velocity += on_end / body.mass;
+    state[end.body].spin += det(held_place(end, place).arm, on_end) / body.inertia;
+  };
+  add(rod.i, p);
+  add(rod.j, -p);
+}
+
 Momentum momentum_of(const System& system, const State& state, std::span<const int> cubes) {
   Momentum sum;
   for (const int cube : cubes) {
@@ -66,9 +80,11 @@ void keep_turning(const System& system,
   std::vector<Island> islands;
   find_islands(system, contacts, islands);
   for (const Island& island : islands) {
-    const bool fixed = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-      return !system.is_cube(c.on) || !system.is_cube(c.from);
-    });
+    const bool fixed =
+        std::ranges::any_of(
+            island.contacts,
+            [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); })
+        || std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
     double change = 0.0;
     for (const int cube : island.cubes) {
       const Vec2 moved = state[cube].position - before[cube].position;

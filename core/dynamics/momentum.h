@@ -16,6 +16,10 @@ Vec2 relative_velocity(const System& system, const State& state, const Contact& 
 /// place, so that neither sum of momenta nor of angular momenta changes.
 void push(const System& system, const Contact& contact, const Vec2& impulse, State& state);
 
+/// The same of an impulse (N s) on place i of a rod and its opposite on place j; they act along one line, of the rod as
+/// it is at `place`.
+void push(const System& system, const Rod& rod, double impulse, const State& place, State& state);
+
 /// Sums over some cubes.
 struct Momentum {
   double mass = 0.0;           ///< kg

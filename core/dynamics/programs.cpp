@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/constraints/rod.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
 
 namespace wuerfel {
@@ -19,16 +20,35 @@ std::array<Vec2, points_per_cube> arms_of(const CubePoints& points) {
 /// The same for the same corner and side.
 std::int64_t name_of(const Contact& c) {
   constexpr int body_bits = 29;
+  static_assert(Box::corners <= 4, "two bits each for corner and side");
   return (((std::int64_t{c.on} << body_bits) | c.from) << 4) | (c.corner << 2) | c.side;
 }
 
+double bend_of(const Island& island, std::size_t rod, Order order) {
+  return order == Order::position && !island.bends.empty() ? island.bends[rod] : 0.0;
+}
+
+/// Likewise, apart from those of contacts and of friction.
+std::int64_t name_of_rod(int number) { return (std::int64_t{1} << 62) + number; }
+
 }  // namespace
+
+bool ProgramBuilder::is_point(int cube) const {
+  return system_->body(cube).kind == BodyKind::point;
+}
 
 void ProgramBuilder::number_cubes(const Island& island) {
   local_.resize(system_->cubes, -1);
   int next = 0;
   for (const int cube : island.cubes)
     local_[cube] = next++;
+  if (formulation_ == Formulation::rigid) return;
+  first_block_.resize(system_->cubes, -1);
+  next = 0;
+  for (const int cube : island.cubes) {
+    first_block_[cube] = next;
+    next += is_point(cube) ? 1 : points_per_cube;
+  }
 }
 
 void ProgramBuilder::build(const State& state,
@@ -46,7 +66,12 @@ void ProgramBuilder::build(const State& state,
   for (std::size_t k = 0; k < island.cubes.size(); ++k)
     add_points(state, island.cubes[k], order, targets.empty() ? Twist{} : targets[k]);
   for (const int cube : island.cubes)
-    add_rods(state, cube, order);
+    if (!is_point(cube)) add_rods(state, cube, order);
+  first_rod_row_ = program_.rows();
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    add_rod(state, system_->rods[island.rods[k]], order);
+    program_.bound.back() -= bend_of(island, k, order);
+  }
   first_contact_row_ = program_.rows();
   for (std::size_t k = 0; k < island.contacts.size(); ++k)
     if (use[k] != SideUse::none) add_side(state, island.contacts[k], use[k], order);
@@ -55,12 +80,23 @@ void ProgramBuilder::build(const State& state,
 /// Masses, and which row couples which cubes.
 void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use) {
   program_.clear(3);
-  first_contact_row_ = 0;
+  first_rod_row_ = 0;
+  first_contact_row_ = static_cast<int>(island.rods.size());
   for (const int cube : island.cubes) {
     const Body& body = system_->body(cube);
     program_.mass.insert(program_.mass.end(), {body.mass, body.mass, body.inertia});
   }
   program_.target.resize(program_.mass.size());
+  for (const int number : island.rods) {
+    const Rod& rod = system_->rods[number];
+    program_.add_equality(0.0);
+    program_.row_name.push_back(name_of_rod(rod.number));
+    for (const int body : {rod.i.body, rod.j.body}) {
+      if (body < 0) continue;
+      program_.entry_block.push_back(local_[body]);
+      ++program_.row_start.back();
+    }
+  }
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     if (use[k] == SideUse::none) continue;
     const Contact& c = island.contacts[k];
@@ -92,6 +128,13 @@ void ProgramBuilder::fill(const State& state,
   }
   double* b = program_.bound.data();
   double* g = program_.coefficients.data();
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    const Rod& rod = system_->rods[island.rods[k]];
+    const BodyRodRow row = rod_row(rod, state, order);
+    *b++ = -row.c - bend_of(island, k, order);
+    if (rod.i.body >= 0) g = std::copy(row.i.begin(), row.i.end(), g);
+    if (rod.j.body >= 0) g = std::copy(row.j.begin(), row.j.end(), g);
+  }
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     if (!use.empty() && use[k] == SideUse::none) continue;
     const Contact& c = island.contacts[k];
@@ -110,6 +153,13 @@ void ProgramBuilder::renew(const State& state, const Island& island, Order order
 void ProgramBuilder::add_points(const State& state, int cube, Order order, const Twist& goal) {
   const Body& body = system_->body(cube);
   const BodyState& s = state[cube];
+  if (is_point(cube)) {
+    Vec2 target = goal.linear;
+    if (order == Order::velocity) target = s.velocity;
+    if (order == Order::acceleration) target = system_->gravity;
+    program_.add_block(std::array{body.mass, body.mass}, std::array{target.x(), target.y()});
+    return;
+  }
   const CubePoints p = points_of(s, body.size);
   const auto masses = mass_distribution(body.size, body.mass);
   for (std::size_t k = 0; k < masses.size(); ++k) {
@@ -123,7 +173,7 @@ void ProgramBuilder::add_points(const State& state, int cube, Order order, const
 
 void ProgramBuilder::add_rods(const State& state, int cube, Order order) {
   const CubePoints points = points_of(state[cube], system_->body(cube).size);
-  const int first_block = points_per_cube * local_[cube];
+  const int first_block = first_block_[cube];
   for (const RodEnds& rod : cube_rods) {
     const Vec2& p_i = points.p[rod.i];
     const Vec2& p_j = points.p[rod.j];
@@ -139,6 +189,23 @@ void ProgramBuilder::add_rods(const State& state, int cube, Order order) {
   }
 }
 
+void ProgramBuilder::add_rod(const State& state, const Rod& rod, Order order) {
+  const PlaceRodRow row = rod_row(rod, held_place(rod.i, state), held_place(rod.j, state), order);
+  program_.add_equality(-row.c);
+  add_held_place(rod.i, row.g);
+  add_held_place(rod.j, -row.g);
+}
+
+void ProgramBuilder::add_held_place(const RodEnd& end, const Vec2& g) {
+  if (end.body < 0) return;
+  const int first = first_block_[end.body];
+  if (is_point(end.body)) return program_.add_entry(first, std::array{g.x(), g.y()});
+  const auto share = share_of_points(end.at, system_->body(end.body).size);
+  for (int k = 0; k < points_per_cube; ++k)
+    if (share[k] != 0.0)
+      program_.add_entry(first + k, std::array{share[k] * g.x(), share[k] * g.y()});
+}
+
 void ProgramBuilder::add_side(const State& state,
                               const Contact& contact,
                               SideUse use,
@@ -150,7 +217,7 @@ void ProgramBuilder::add_side(const State& state,
 
 void ProgramBuilder::add_point_entries(const Contact& contact, const SideRow& row) {
   const auto add = [&](int body, int corner, const Vec2& g) {
-    const int block = points_per_cube * local_[body] + corner;
+    const int block = first_block_[body] + corner;
     program_.add_entry(block, std::array{g.x(), g.y()});
   };
   if (system_->is_cube(contact.on)) add(contact.on, contact.corner, row.g_k);
@@ -220,6 +287,11 @@ std::vector<Twist> ProgramBuilder::twists(const State& state,
     if (formulation_ == Formulation::rigid) {
       result.push_back({Vec2(at[0], at[1]), at[2]});
       at += 3;
+      continue;
+    }
+    if (is_point(cube)) {
+      result.push_back({Vec2(at[0], at[1]), 0.0});
+      at += 2;
       continue;
     }
     const Body& body = system_->body(cube);

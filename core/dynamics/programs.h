@@ -11,11 +11,10 @@
 /// metre.
 ///
 /// Unknowns are what the formulation says: all points with all rods as equalities (the paper to the
-/// letter), or x, y, theta per cube, where rods hold by themselves. Rows of
-/// contacts are those of contact_rows.h.
+/// letter), or x, y, theta per cube, where the rods of a cube hold by themselves. Rods between bodies are
+/// equalities in both (rod_rows.h). Rows of contacts are those of contact_rows.h.
 ///
-/// References: Gauss, "Über ein neues allgemeines Grundgesetz der Mechanik", Crelle 4 (1829) 232;
-/// Moreau, "Unilateral contact and dry friction in finite freedom dynamics", CISM 302 (1988).
+/// [Gauss 1829] [Moreau 1988]
 #pragma once
 
 #include <span>
@@ -32,8 +31,8 @@ namespace wuerfel {
 /// How a contact enters a program.
 enum class SideUse { inequality, equality, none };
 
-/// Builds programs over one island. Rows: first the rods (points formulation), then the contacts
-/// that are used, in the island's order.
+/// Builds programs over one island. Rows: first the rods of cubes (points formulation), then those between
+/// bodies, then the contacts that are used, in the island's order.
 class ProgramBuilder {
  public:
   ProgramBuilder(const System& system, Formulation formulation)
@@ -68,6 +67,8 @@ class ProgramBuilder {
   [[nodiscard]] const std::vector<int>& friction_contact() const { return friction_contact_; }
 
   [[nodiscard]] const QuadraticProgram& program() const { return program_; }
+  /// Number of the row of the first rod between bodies; they come in the island's order.
+  [[nodiscard]] int first_rod_row() const { return first_rod_row_; }
   /// Number of the row of the first contact: that many rods come before it.
   [[nodiscard]] int first_contact_row() const { return first_contact_row_; }
   /// The solution as one rigid motion per cube of the island.
@@ -81,6 +82,7 @@ class ProgramBuilder {
              std::span<const SideUse> use,
              Order order,
              std::span<const Twist> targets);
+  [[nodiscard]] bool is_point(int cube) const;
   void number_cubes(const Island& island);
   // The rigid form: what stays the same, and the numbers.
   void lay_out(const Island& island, std::span<const SideUse> use);
@@ -92,6 +94,8 @@ class ProgramBuilder {
   // All points.
   void add_points(const State& state, int cube, Order order, const Twist& goal);
   void add_rods(const State& state, int cube, Order order);
+  void add_rod(const State& state, const Rod& rod, Order order);
+  void add_held_place(const RodEnd& end, const Vec2& g);
   void add_side(const State& state, const Contact& contact, SideUse use, Order order);
   void add_point_entries(const Contact& contact, const SideRow& row);
 
@@ -100,7 +104,9 @@ class ProgramBuilder {
   QuadraticProgram program_;
   std::vector<FrictionContact> friction_;
   std::vector<int> friction_contact_;
-  std::vector<int> local_;  ///< number of a cube within the island
+  std::vector<int> local_;        ///< number of a cube within the island
+  std::vector<int> first_block_;  ///< of a cube's points; points formulation
+  int first_rod_row_ = 0;
   int first_contact_row_ = 0;
 };
 

@@ -3,20 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
-bool misses(const System& system, const Restricted& part, const ProjectionPolicy& policy) {
+bool misses(const System& system,
+            const State& state,
+            const Restricted& part,
+            const ProjectionPolicy& policy) {
   for (std::size_t k = 0; k < part.use.size(); ++k) {
     const Contact& c = part.island.contacts[k];
     if (part.use[k] == SideUse::inequality && overlaps(system, c, policy.overlap)) return true;
     if (part.use[k] == SideUse::equality && std::abs(c.gap) > policy.gap * contact_scale(system, c))
       return true;
   }
-  return false;
+  return std::ranges::any_of(part.island.rods,
+                             [&](int rod) { return !has_length(system, state, system.rods[rod]); });
 }
 
-/// Whether the closed contacts neither close nor open as it is.
+/// Whether the closed contacts neither close nor open, and rods keep their lengths, as it is.
 bool rests(const System& system, const State& state, const Restricted& part) {
   for (std::size_t k = 0; k < part.use.size(); ++k) {
     const Contact& c = part.island.contacts[k];
@@ -24,7 +30,8 @@ bool rests(const System& system, const State& state, const Restricted& part) {
         && contact_motion(system, state, c) != ContactMotion::resting)
       return false;
   }
-  return true;
+  return std::ranges::none_of(part.island.rods,
+                              [&](int rod) { return jerks(system, state, system.rods[rod]); });
 }
 
 /// A round of an island; it keeps to the policy where restrictions contradict one another.
@@ -90,7 +97,7 @@ Projection project_places(const System& system,
   for (; result.rounds < policy.rounds; ++result.rounds) {
     bool corrected = false;
     for (Restricted& part : find(result)) {
-      if (!misses(system, part, policy)) continue;
+      if (!misses(system, result.state, part, policy)) continue;
       const IslandSolution solution =
           correct(part, result.state, policy.contradiction, dynamics, result);
       result.solves.add(solution);

@@ -14,6 +14,10 @@
 
 namespace wuerfel {
 
+/// Share of contact_scale: gaps and overlap smaller than this are none after a projection. Well inside
+/// touching_tolerance, well above rounding.
+inline constexpr double closed_gap = 1e-11;
+
 /// What cubes are projected onto: contacts as they are at the state, and how each restricts them.
 struct Restricted {
   Island island;
@@ -30,7 +34,8 @@ enum class Contradiction {
   open,   ///< closed contacts may open; what overlaps is removed
 };
 
-/// An island is moved where it misses its restrictions by more than this.
+/// An island is moved where it misses its restrictions by more than this, or a rod its length by more
+/// than rounding.
 struct ProjectionPolicy {
   double overlap = std::numeric_limits<double>::infinity();  ///< of contact_scale
   double gap = std::numeric_limits<double>::infinity();      ///< likewise, of closed contacts
@@ -58,7 +63,7 @@ Projection project_places(const System& system,
                           IslandDynamics& dynamics);
 
 /// Velocities: gaps of closed contacts stay as they are, no other closes. An island whose closed
-/// contacts rest is left alone.
+/// contacts rest and whose rods keep their lengths is left alone.
 Projection project_velocities(const System& system,
                               State state,
                               const std::vector<Restricted>& parts,

@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
@@ -61,6 +63,21 @@ void set_targets(
   }
 }
 
+/// Sets the row of a rod.
+void add(const Island& island,
+         const Rod& rod,
+         const BodyRodRow& row,
+         Eigen::Ref<Eigen::RowVectorXd> out) {
+  const auto on_body = [&](int body, const std::array<double, 3>& g) {
+    if (body < 0) return;
+    const int at = place_of(island, body);
+    for (int i = 0; i < 3; ++i)
+      out[at + i] += g[i];
+  };
+  on_body(rod.i.body, row.i);
+  on_body(rod.j.body, row.j);
+}
+
 /// lambda of R M^-1 C' lambda = b - R f, with rows and columns of size one; once refined.
 Eigen::VectorXd multipliers(const Equations& e, bool& redundant) {
   const Eigen::VectorXd root = e.inverse_mass.cwiseSqrt();
@@ -98,9 +115,10 @@ void RubbingContacts::solve(const System& system,
   const auto normals = static_cast<Eigen::Index>(island.contacts.size());
   Equations e;
   set_targets(system, state, island, order, e);
-  e.rows = Rows::Zero(normals + sticking, e.target.size());
+  const auto rods = static_cast<Eigen::Index>(island.rods.size());
+  e.rows = Rows::Zero(normals + sticking + rods, e.target.size());
   e.columns = e.rows;
-  e.bound = Eigen::VectorXd::Zero(normals + sticking);
+  e.bound = Eigen::VectorXd::Zero(normals + sticking + rods);
   const auto along = [&](Contact c, const Touch& touch) {
     c.slip = touch.sticks ? place_along(system, c) - touch.anchor : 0.0;
     return pull_back(system, state, c, order, tangential_row(system, state, c, order));
@@ -125,12 +143,19 @@ void RubbingContacts::solve(const System& system,
     e.columns.row(next) = e.rows.row(next);
     e.bound[next++] = -row.c;
   }
+  for (const int number : island.rods) {
+    const Rod& rod = system.rods[number];
+    const BodyRodRow row = rod_row(rod, state, order);
+    add(island, rod, row, e.rows.row(next));
+    e.columns.row(next) = e.rows.row(next);
+    e.bound[next++] = -row.c;
+  }
   const Eigen::VectorXd lambda = multipliers(e, redundant_);
   const Eigen::VectorXd found =
       e.target + e.inverse_mass.cwiseProduct(e.columns.transpose() * lambda);
   x.assign(found.begin(), found.end());
   forces.assign(lambda.begin(), lambda.begin() + normals);
-  tangential_.assign(lambda.begin() + normals, lambda.end());
+  tangential_.assign(lambda.begin() + normals, lambda.begin() + normals + sticking);
 }
 
 void RubbingContacts::add_margins(std::span<const double> forces,

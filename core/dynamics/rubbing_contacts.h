@@ -2,7 +2,7 @@
 ///
 ///     M (a - g) = C' lambda,   R a + c = 0
 ///
-/// R has the normal rows of all contacts and one tangential row for each touch that sticks; C has
+/// R has the normal rows of all contacts, one tangential row for each touch that sticks and the rods; C has
 /// the columns of the forces: of slipping contacts J_n - s mu J_t, s the direction of slip, else
 /// those of R. Not symmetric where something slips. [Pfeiffer, Glocker 1996]
 #pragma once

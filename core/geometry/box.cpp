@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/trig.h"
 
@@ -22,6 +23,7 @@ Box make_box(const Vec2& center, double angle, const Vec2& size) {
 }
 
 double side_separation(const Box& a, int e, const Box& b) {
+  if (a.is_point()) return -std::numeric_limits<double>::infinity();
   const Vec2 n = a.normal(e);
   const double center_distance = n.dot(b.center - a.center);
   // Half the extent of b along n is what its nearest corner is closer than its centre.

@@ -33,6 +33,9 @@ struct Box {
   [[nodiscard]] double length(int e) const { return 2.0 * ((e & 1) != 0 ? half.y() : half.x()); }
   /// Half width and half height of its bounds along the axes of the world, m.
   [[nodiscard]] Vec2 extent() const { return arm[2].cwiseAbs().cwiseMax(arm[1].cwiseAbs()); }
+  /// Whether this is a point mass, which has one corner and no sides.
+  [[nodiscard]] bool is_point() const { return half.x() == 0.0; }
+  [[nodiscard]] int corner_count() const { return is_point() ? 1 : corners; }
   [[nodiscard]] double smaller_side() const { return 2.0 * half.minCoeff(); }
   /// Distance of the corner that is farthest from the centre, m.
   [[nodiscard]] double radius() const { return half.norm(); }
@@ -46,7 +49,8 @@ Box make_box(const Vec2& center, double angle, const Vec2& size);
 
 /// Separation of two boxes along the outward normal of side e of `a`: distance of the nearest
 /// corner of `b` from the side's line, negative inside. Differences of centres are taken first, so
-/// that far from the origin nothing is lost but the rounding of the positions themselves.
+/// that far from the origin nothing is lost but the rounding of the positions themselves. Minus
+/// infinity where `a` is a point: it has no sides.
 double side_separation(const Box& a, int e, const Box& b);
 
 /// Largest side separation over the eight sides (separating axes): negative where the boxes

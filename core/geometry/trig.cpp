@@ -9,7 +9,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double half_pi = 1.57079632679489661923;
 
 // pi/2 in three parts; the first two have 33 bits, so that k times a part is exact for |k| < 2^20
-// (Cody and Waite, "Software Manual for the Elementary Functions", 1980).
+// [Cody, Waite 1980].
 constexpr double half_pi_high = 0x1.921fb544p+0;
 constexpr double half_pi_middle = 0x1.0b4611a6p-34;
 constexpr double half_pi_low = 0x1.3198a2e037073p-69;

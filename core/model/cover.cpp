@@ -53,11 +53,11 @@ bool Cover::empty() const {
 }
 
 void add_cover(const Box& box, const Box& other, Cover& cover) {
-  for (int e = 0; e < 4; ++e) {
+  for (int e = 0; e < Box::corners; ++e) {
     const Path path = outside_of(box, e);
     double low = 0.0;
     double high = 1.0;
-    for (int f = 0; f < 4; ++f) {
+    for (int f = 0; f < Box::corners; ++f) {
       const Vec2 n = other.normal(f);
       clip(n.dot(path.start - other.center) - other.reach(f), n.dot(path.way),
            surface_share * other.smaller_side(), low, high);
@@ -67,7 +67,7 @@ void add_cover(const Box& box, const Box& other, Cover& cover) {
 }
 
 void add_cover(const Box& box, const Vec2& point, const Vec2& normal, Cover& cover) {
-  for (int e = 0; e < 4; ++e) {
+  for (int e = 0; e < Box::corners; ++e) {
     const Path path = outside_of(box, e);
     double low = 0.0;
     double high = 1.0;

@@ -19,6 +19,14 @@ std::array<Vec2, points_per_cube> turned_arms(double angle, const Vec2& size) {
 
 }  // namespace
 
+std::array<double, points_per_cube> share_of_points(const Vec2& at, const Vec2& size) {
+  if (at.isZero(0.0)) return {0.0, 0.0, 0.0, 0.0, 1.0};
+  const Vec2 right = Vec2::Constant(0.5) + at.cwiseQuotient(size);
+  const Vec2 left = Vec2::Ones() - right;
+  return {left.x() * left.y(), right.x() * left.y(), right.x() * right.y(), left.x() * right.y(),
+          0.0};
+}
+
 CubePoints points_of(const BodyState& state, const Vec2& size) {
   const auto arms = turned_arms(state.angle, size);
   CubePoints points;

@@ -28,6 +28,10 @@ inline constexpr int rods_per_cube = 8;
 inline constexpr std::array<RodEnds, rods_per_cube> cube_rods = {
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
 
+/// The place `at` (m, in the frame of the unturned cube from its centre) as a mean of the cube's points, which it stays
+/// while the rods of the cube hold: shares of sum 1, of the centre alone or of the corners.
+std::array<double, points_per_cube> share_of_points(const Vec2& at, const Vec2& size);
+
 /// Points of a rigid cube: p = x + r, v = v_x + omega perp(r).
 CubePoints points_of(const BodyState& state, const Vec2& size);
 

@@ -14,7 +14,7 @@ Scales scales_of(const System& system, const State& state) {
   for (int i = 0; i < system.cubes; ++i) {
     const Body& body = system.body(i);
     const BodyState& s = state[i];
-    scales.length = std::min(scales.length, body.size.minCoeff());
+    scales.length = std::min(scales.length, body.smaller_side());
     mass += body.mass;
     fastest = std::max(fastest, fastest_corner(body, s));
   }

@@ -6,7 +6,7 @@
 namespace wuerfel {
 
 struct Scales {
-  double length = 1.0;   ///< m, L: smallest side of a cube
+  double length = 1.0;   ///< m, L: smallest side of a cube; of points alone the shortest rod
   double speed = 1.0;    ///< m/s, V = sqrt(g L); without gravity the largest speed at hand
   double time = 1.0;     ///< s, L / V
   double gravity = 1.0;  ///< m/s^2, V^2 / L

@@ -2,11 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/broad_phase.h"
 
 namespace wuerfel {
 namespace {
+
+/// The end of a rod: a place on a body that moves, or what that is in the world.
+RodEnd end_of(const std::map<std::string_view, int>& number,
+              const System& system,
+              const ScenePlace& place) {
+  if (place.body.empty()) return {-1, place.at, -1};
+  const int body = number.at(place.body);
+  if (system.is_cube(body)) return {body, place.at, body};
+  const Box& box = system.body(body).box;
+  const Vec2 arm = place.at.x() * box.axis + place.at.y() * perp(box.axis);
+  return {-1, box.center + arm, body};
+}
+
+/// A rod is one row, a pin two.
+void set_rods(const Scene& scene, System& system) {
+  if (scene.rods.empty() && scene.pins.empty()) return;
+  std::map<std::string_view, int> number;
+  for (const Body& body : system.bodies)
+    number.emplace(body.name, body.number);
+  const auto add = [&](const auto& joint, Rod::Kind kind, double length) {
+    system.rods.push_back({kind, end_of(number, system, joint.from),
+                           end_of(number, system, joint.to), length, joint.name,
+                           static_cast<int>(system.rods.size())});
+  };
+  for (const SceneRod& rod : scene.rods)
+    add(rod, Rod::Kind::rod, rod.length);
+  for (const ScenePin& pin : scene.pins) {
+    add(pin, Rod::Kind::pin_x, 0.0);
+    add(pin, Rod::Kind::pin_y, 0.0);
+    const Rod& row = system.rods.back();
+    if (pin.collide || row.i.name < 0 || row.j.name < 0) continue;
+    system.strangers.insert(std::minmax(row.i.name, row.j.name));
+  }
+}
+
+/// Points are measured by the smallest side of a cube; among themselves by the shortest rod.
+void set_reach_of_points(System& system) {
+  double reach = std::numeric_limits<double>::max();
+  for (int i = 0; i < system.cubes - system.points; ++i)
+    reach = std::min(reach, system.bodies[i].smaller_side());
+  if (system.cubes == system.points) {
+    for (const Rod& rod : system.rods)
+      if (rod.kind == Rod::Kind::rod) reach = std::min(reach, rod.length);
+  }
+  if (reach == std::numeric_limits<double>::max()) reach = 1.0;
+  for (int i = system.cubes - system.points; i < system.cubes; ++i)
+    system.bodies[i].reach = reach;
+}
 
 /// Numbers the bodies and takes over what the scene says of pairs.
 void set_surfaces(const Scene& scene, System& system) {
@@ -75,12 +124,20 @@ Material System::surface(int i, int j) const {
           std::sqrt(a.material.restitution * b.material.restitution)};
 }
 
+bool System::may_touch(int i, int j) const {
+  const Body& a = body(i);
+  const Body& b = body(j);
+  if (a.kind == BodyKind::point && b.kind == BodyKind::point) return false;
+  return !strangers.contains(std::minmax(a.number, b.number));
+}
+
 System make_system(const Scene& scene) {
   System system;
   system.title = scene.title;
   system.gravity = scene.gravity;
-  system.cubes = static_cast<int>(scene.cubes.size());
-  system.bodies.reserve(scene.cubes.size() + scene.fixed.size() + scene.planes.size());
+  system.points = static_cast<int>(scene.points.size());
+  system.cubes = static_cast<int>(scene.cubes.size()) + system.points;
+  system.bodies.reserve(system.cubes + scene.fixed.size() + scene.planes.size());
   for (const SceneCube& cube : scene.cubes) {
     Body body;
     body.name = cube.name;
@@ -88,6 +145,15 @@ System make_system(const Scene& scene) {
     body.mass = cube.mass;
     body.inertia = cube.mass * cube.size.squaredNorm() / 12.0;
     body.material = cube.material;
+    system.bodies.push_back(std::move(body));
+  }
+  for (const ScenePoint& point : scene.points) {
+    Body body;
+    body.name = point.name;
+    body.kind = BodyKind::point;
+    body.mass = point.mass;
+    body.inertia = point.mass;
+    body.material = point.material;
     system.bodies.push_back(std::move(body));
   }
   for (const SceneFixed& fixed : scene.fixed) {
@@ -110,6 +176,8 @@ System make_system(const Scene& scene) {
   }
   set_surfaces(scene, system);
   set_covers(system);
+  set_rods(scene, system);
+  set_reach_of_points(system);
   return system;
 }
 
@@ -119,10 +187,12 @@ double fastest_corner(const Body& body, const BodyState& state) {
 
 State initial_state(const Scene& scene) {
   State state;
-  state.reserve(scene.cubes.size());
+  state.reserve(scene.cubes.size() + scene.points.size());
   for (const SceneCube& cube : scene.cubes) {
     state.push_back({cube.position, cube.angle, cube.velocity, cube.spin});
   }
+  for (const ScenePoint& point : scene.points)
+    state.push_back({point.position, 0.0, point.velocity, 0.0});
   return state;
 }
 

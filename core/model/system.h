@@ -4,12 +4,14 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/box.h"
 #include "core/model/cover.h"
+#include "core/model/rod.h"
 #include "core/model/state.h"
 #include "core/scene/overlap.h"
 #include "core/scene/scene.h"
@@ -19,9 +21,11 @@ namespace wuerfel {
 struct Body {
   std::string name;
   BodyKind kind = BodyKind::cube;
-  Vec2 size = Vec2::Zero();     ///< m; of boxes
-  double mass = 0.0;            ///< kg; of cubes
-  double inertia = 0.0;         ///< kg m^2, m (w^2 + h^2) / 12 about the centre; of cubes
+  Vec2 size = Vec2::Zero();  ///< m; of boxes
+  double mass = 0.0;         ///< kg; of cubes and points
+  /// kg m^2, m (w^2 + h^2) / 12 about the centre; of cubes. Points never turn: m times a square metre,
+  /// so that their block of a program has the form of the others.
+  double inertia = 0.0;
   Box box;                      ///< pose of a fixed box
   Vec2 point = Vec2::Zero();    ///< m; of planes
   Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid; of planes
@@ -31,18 +35,20 @@ struct Body {
 
   /// Distance of the corners from the centre, m; of boxes.
   [[nodiscard]] double radius() const { return 0.5 * size.norm(); }
+  double reach = 0.0;  ///< m, of points: what stands for a side where lengths are compared
   /// Length by which tolerances of a body are measured, m; without bound for a plane.
   [[nodiscard]] double smaller_side() const {
+    if (kind == BodyKind::point) return reach;
     return kind == BodyKind::plane ? std::numeric_limits<double>::max() : size.minCoeff();
   }
 };
 
-/// Bodies are numbered: cubes first, in the order of the scene, then fixed boxes, then planes.
+/// Bodies are numbered: cubes first, in the order of the scene, then points, fixed boxes, planes.
 struct System {
   std::string title;
   Vec2 gravity = Vec2::Zero();  ///< m/s^2
   std::vector<Body> bodies;
-  int cubes = 0;
+  int cubes = 0;  ///< bodies that move: points are cubes without size
 
   [[nodiscard]] const Body& body(int i) const { return bodies[i]; }
   [[nodiscard]] bool is_cube(int i) const { return i < cubes; }
@@ -55,6 +61,15 @@ struct System {
   /// Friction and restitution of two bodies: what the scene says of the pair, else the geometric
   /// means of their own.
   [[nodiscard]] Material surface(int i, int j) const;
+
+  std::vector<Rod> rods;  ///< of the scene, between bodies and to what is fixed; in its order
+  int points = 0;         ///< bodies that are point masses, the last ones that move
+  /// Pairs, by Body::number, the smaller first, that pass through each other: pins join them.
+  std::set<std::pair<int, int>> strangers;
+  /// Whether bodies may touch: points don't touch points.
+  [[nodiscard]] bool may_touch(int i, int j) const;
+  /// Whether all bodies that are neighbours may touch.
+  [[nodiscard]] bool all_may_touch() const { return points == 0 && strangers.empty(); }
 };
 
 System make_system(const Scene& scene);

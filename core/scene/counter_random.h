@@ -5,8 +5,8 @@
 
 namespace wuerfel {
 
-/// Number `counter` (from 0) of the SplitMix64 sequence with this seed (Steele, Lea, Flood: "Fast
-/// splittable pseudorandom number generators", OOPSLA 2014).
+/// Number `counter` (from 0) of the SplitMix64 sequence with this seed
+/// [Steele, Lea, Flood 2014].
 constexpr std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) {
   std::uint64_t z = seed + (counter + 1U) * 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;

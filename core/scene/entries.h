@@ -46,6 +46,7 @@ inline constexpr Limits restitution{0.0, 1.0};
 inline constexpr Limits count{1.0, 200'000.0};
 inline constexpr Limits seed{0.0, 9'007'199'254'740'992.0};  // 2^53: exact in every JSON reader
 inline constexpr Limits name{1.0, 100.0};
+inline constexpr Limits place{1.0, 103.0};  // a name and a part
 inline constexpr Limits title{0.0, 200.0};
 }  // namespace limits
 
@@ -154,6 +155,38 @@ struct PairEntry {
   SurfaceEntry surface;
 };
 
+struct PointEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  double mass = 1.0;
+  Vec2 position = Vec2::Zero();
+  Vec2 velocity = Vec2::Zero();
+};
+
+/// A place as it is written: a body's name with or without a part, a body and a place in its frame,
+/// or a place of the world.
+struct PlaceEntry {
+  std::string name;        ///< "a" or "a.ne"; empty: a place of the world
+  bool in_frame = false;   ///< `at` is in the frame of the body `name`
+  Vec2 at = Vec2::Zero();  ///< m
+};
+
+struct RodEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  PlaceEntry from;
+  PlaceEntry to;
+  std::optional<double> length;
+};
+
+struct PinEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  PlaceEntry from;
+  PlaceEntry to;
+  bool collide = false;
+};
+
 struct SceneEntries {
   std::int64_t version = 1;
   std::string title;
@@ -168,6 +201,9 @@ struct SceneEntries {
   std::vector<PyramidEntry> pyramids;
   std::vector<PileEntry> piles;
   std::vector<PairEntry> pairs;
+  std::vector<PointEntry> points;
+  std::vector<RodEntry> rods;
+  std::vector<PinEntry> pins;
 };
 
 template <class Keys>
@@ -307,6 +343,39 @@ void describe(Keys& keys, PairEntry& pair) {
 }
 
 template <class Keys>
+void describe(Keys& keys, PointEntry& point) {
+  keys.value("name", point.name, limits::name, "Default point1, point2, ...");
+  keys.value("mass", point.mass, limits::mass, "kg");
+  keys.required("position", point.position, limits::coordinate, "m");
+  keys.value("velocity", point.velocity, limits::rate, "m/s");
+}
+
+inline constexpr std::string_view place_doc =
+    "A place: \"a\" (centre of a body, or a point), \"a.ne\" (corner: sw se ne nw), \"a.n\" "
+    "(middle "
+    "of a side: s e n w), { body = \"a\", at = [x, y] } in the frame of the body, or [x, y] fixed "
+    "in "
+    "the world";
+
+template <class Keys>
+void describe(Keys& keys, RodEntry& rod) {
+  keys.value("name", rod.name, limits::name, "Default rod1, rod2, ...");
+  keys.required("from", rod.from, limits::coordinate, place_doc);
+  keys.required("to", rod.to, limits::coordinate, place_doc);
+  keys.value(
+      "length", rod.length, limits::size,
+      "m; default the distance of the two places at the start, which it must be in any case");
+}
+
+template <class Keys>
+void describe(Keys& keys, PinEntry& pin) {
+  keys.value("name", pin.name, limits::name, "Default pin1, pin2, ...");
+  keys.required("from", pin.from, limits::coordinate, place_doc);
+  keys.required("to", pin.to, limits::coordinate, place_doc);
+  keys.value("collide", pin.collide, "Whether the two bodies may touch each other");
+}
+
+template <class Keys>
 void describe(Keys& keys, SceneEntries& scene) {
   keys.value("version", scene.version, Limits{1.0, 1.0}, "Version of the scene format");
   keys.value("title", scene.title, limits::title, "Shown in pictures");
@@ -321,7 +390,12 @@ void describe(Keys& keys, SceneEntries& scene) {
   keys.tables("pyramid", scene.pyramids, "Generator: rows that get shorter by one cube");
   keys.tables("pile", scene.piles, "Generator: cubes scattered at random");
   keys.tables("pair", scene.pairs, "Surface properties of one pair of bodies");
-  keys.at_least_one({"cube", "tower", "wall", "pyramid", "pile"});
+  keys.tables("point", scene.points, "Point masses");
+  keys.tables("rod", scene.rods, "Rods: each keeps two places at their distance");
+  keys.tables("pin", scene.pins,
+              "Pins: each keeps two places that coincide together; its two bodies don't touch each "
+              "other");
+  keys.at_least_one({"cube", "tower", "wall", "pyramid", "pile", "point"});
 }
 
 }  // namespace wuerfel

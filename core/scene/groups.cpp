@@ -41,6 +41,7 @@ BodyNames collect_names(const Scene& scene, const Groups& groups, const SceneSou
   add_names(names, scene, groups, source, BodyKind::plane, scene.planes.size());
   add_names(names, scene, groups, source, BodyKind::fixed, scene.fixed.size());
   add_names(names, scene, groups, source, BodyKind::cube, scene.cubes.size());
+  add_names(names, scene, groups, source, BodyKind::point, scene.points.size());
   return names;
 }
 

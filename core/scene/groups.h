@@ -43,7 +43,7 @@ class Groups {
 
  private:
   std::vector<Group> groups_;
-  std::array<std::vector<int>, 3> owner_;  ///< by kind and index
+  std::array<std::vector<int>, 4> owner_;  ///< by kind and index
 };
 
 /// Bodies by name; the keys are the names within the scene.

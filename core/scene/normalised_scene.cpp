@@ -85,6 +85,41 @@ std::string object(const ScenePair& pair, const Material& /*standard*/) {
   return writer.take();
 }
 
+std::string object(const ScenePoint& point, const Material& /*standard*/) {
+  ObjectWriter writer;
+  writer.add("name", text(point.name));
+  writer.add("mass", number(point.mass));
+  writer.add("position", numbers(point.position));
+  writer.add("velocity", numbers(point.velocity));
+  return writer.take();
+}
+
+std::string place_text(const ScenePlace& place) {
+  if (place.body.empty()) return numbers(place.at);
+  ObjectWriter writer;
+  writer.add("body", text(place.body));
+  writer.add("at", numbers(place.at));
+  return writer.take();
+}
+
+std::string object(const SceneRod& rod, const Material& /*standard*/) {
+  ObjectWriter writer;
+  writer.add("name", text(rod.name));
+  writer.add("from", place_text(rod.from));
+  writer.add("to", place_text(rod.to));
+  writer.add("length", number(rod.length));
+  return writer.take();
+}
+
+std::string object(const ScenePin& pin, const Material& /*standard*/) {
+  ObjectWriter writer;
+  writer.add("name", text(pin.name));
+  writer.add("from", place_text(pin.from));
+  writer.add("to", place_text(pin.to));
+  if (pin.collide) writer.add("collide", "true");
+  return writer.take();
+}
+
 template <class Body>
 void add_all(ObjectWriter& writer,
              std::string_view key,
@@ -115,6 +150,9 @@ std::string normalised_scene(const Scene& scene) {
   add_all(writer, "fixed", scene.fixed, scene.material);
   add_all(writer, "cube", scene.cubes, scene.material);
   add_all(writer, "pair", scene.pairs, scene.material);
+  add_all(writer, "point", scene.points, scene.material);
+  add_all(writer, "rod", scene.rods, scene.material);
+  add_all(writer, "pin", scene.pins, scene.material);
   return writer.take();
 }
 

@@ -1,6 +1,10 @@
 #include "core/scene/overlap.h"
 
 #include <algorithm>
+#include <limits>
+#include <set>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,7 +25,7 @@ SweptBox swept_box(const Vec2& position, double angle, const Vec2& size, const B
   SweptBox swept;
   swept.box = make_box(position, angle, size);
   swept.bounds = {swept.box.corner(0), swept.box.corner(0)};
-  for (int k = 1; k < 4; ++k) {
+  for (int k = 1; k < Box::corners; ++k) {
     swept.bounds.low = swept.bounds.low.cwiseMin(swept.box.corner(k));
     swept.bounds.high = swept.bounds.high.cwiseMax(swept.box.corner(k));
   }
@@ -39,6 +43,10 @@ std::vector<SweptBox> swept_boxes(const Scene& scene) {
   index = 0;
   for (const SceneCube& cube : scene.cubes) {
     boxes.push_back(swept_box(cube.position, cube.angle, cube.size, {BodyKind::cube, index++}));
+  }
+  index = 0;
+  for (const ScenePoint& point : scene.points) {
+    boxes.push_back(swept_box(point.position, 0.0, Vec2::Zero(), {BodyKind::point, index++}));
   }
   return boxes;
 }
@@ -60,16 +68,43 @@ int sort_for_sweep(std::vector<SweptBox>& boxes) {
   return axis;
 }
 
+bool moves(const BodyRef& body) {
+  return body.kind == BodyKind::cube || body.kind == BodyKind::point;
+}
+
+/// Names of the bodies that pins join and that don't touch each other.
+using PinnedPairs = std::set<std::pair<std::string_view, std::string_view>>;
+
+PinnedPairs pinned_pairs(const Scene& scene) {
+  PinnedPairs pairs;
+  for (const ScenePin& pin : scene.pins) {
+    if (!pin.collide) pairs.insert(std::minmax<std::string_view>(pin.from.body, pin.to.body));
+  }
+  return pairs;
+}
+
+/// Side by which touching is measured, m: points have none.
+double side_of(const SweptBox& swept) {
+  return swept.box.is_point() ? std::numeric_limits<double>::max() : swept.box.smaller_side();
+}
+
 std::optional<Overlap> overlap_of(const SweptBox& a, const SweptBox& b) {
-  if (a.body.kind != BodyKind::cube && b.body.kind != BodyKind::cube) return std::nullopt;
+  if (!moves(a.body) && !moves(b.body)) return std::nullopt;
+  if (a.box.is_point() && b.box.is_point()) return std::nullopt;
   if (!a.bounds.overlaps(b.bounds)) return std::nullopt;
   const double gap = separation(a.box, b.box);
-  const double smaller_side = std::min(a.box.smaller_side(), b.box.smaller_side());
+  const double smaller_side = std::min(side_of(a), side_of(b));
   if (gap >= -touching_tolerance * smaller_side) return std::nullopt;
   return Overlap{std::min(a.body, b.body), std::max(a.body, b.body), -gap};
 }
 
-std::optional<Overlap> sweep(std::vector<SweptBox>& boxes) {
+std::optional<Overlap> sweep(const Scene& scene, std::vector<SweptBox>& boxes) {
+  const PinnedPairs pinned = pinned_pairs(scene);
+  const auto may_overlap = [&](const Overlap& o) {
+    return !pinned.empty()
+           && pinned.contains(std::minmax<std::string_view>(body_name(scene, o.first),
+                                                            body_name(scene, o.second)));
+  };
   const int axis = sort_for_sweep(boxes);
   std::vector<const SweptBox*> open;  // boxes that reach to the sweep line
   for (const SweptBox& swept : boxes) {
@@ -77,7 +112,8 @@ std::optional<Overlap> sweep(std::vector<SweptBox>& boxes) {
       return other->bounds.high[axis] < swept.bounds.low[axis];
     });
     for (const SweptBox* other : open) {
-      if (auto overlap = overlap_of(*other, swept)) return overlap;
+      const std::optional<Overlap> overlap = overlap_of(*other, swept);
+      if (overlap && !may_overlap(*overlap)) return overlap;
     }
     open.push_back(&swept);
   }
@@ -86,11 +122,12 @@ std::optional<Overlap> sweep(std::vector<SweptBox>& boxes) {
 
 std::optional<Overlap> overlap_with_plane(const Scene& scene, const std::vector<SweptBox>& boxes) {
   for (const SweptBox& swept : boxes) {
-    if (swept.body.kind != BodyKind::cube) continue;
+    if (!moves(swept.body)) continue;
     int index = 0;
     for (const ScenePlane& plane : scene.planes) {
       const double gap = plane_separation(plane.point, plane.normal, swept.box);
-      if (gap < -touching_tolerance * swept.box.smaller_side()) {
+      const double side = swept.box.is_point() ? 1.0 : swept.box.smaller_side();
+      if (gap < -touching_tolerance * side) {
         return Overlap{{BodyKind::plane, index}, swept.body, -gap};
       }
       ++index;
@@ -105,17 +142,22 @@ const std::string& body_name(const Scene& scene, const BodyRef& body) {
   const auto i = static_cast<std::size_t>(body.index);
   if (body.kind == BodyKind::plane) return scene.planes[i].name;
   if (body.kind == BodyKind::fixed) return scene.fixed[i].name;
-  return scene.cubes[i].name;
+  return body.kind == BodyKind::cube ? scene.cubes[i].name : scene.points[i].name;
 }
 
 std::optional<Overlap> find_overlap(const Scene& scene) {
   std::vector<SweptBox> boxes = swept_boxes(scene);
   if (boxes.empty()) return std::nullopt;
-  if (auto overlap = sweep(boxes)) return overlap;
+  if (auto overlap = sweep(scene, boxes)) return overlap;
   return overlap_with_plane(scene, boxes);
 }
 
 std::string overlap_message(const Scene& scene, const Overlap& overlap) {
+  if (overlap.second.kind == BodyKind::point) {
+    return fmt::format("the point \"{}\" lies {:.6g} m inside of \"{}\"",
+                       body_name(scene, overlap.second), overlap.depth,
+                       body_name(scene, overlap.first));
+  }
   return fmt::format("\"{}\" and \"{}\" overlap by {:.6g} m", body_name(scene, overlap.second),
                      body_name(scene, overlap.first), overlap.depth);
 }

@@ -146,6 +146,9 @@ void scatter_piles(Scene& scene, const std::vector<PileEntry>& piles, const Scen
   for (const SceneFixed& fixed : scene.fixed) {
     obstacles.push_back(make_box(fixed.position, fixed.angle, fixed.size));
   }
+  for (const ScenePoint& point : scene.points) {
+    obstacles.push_back(make_box(point.position, 0.0, Vec2::Zero()));
+  }
   auto next = scene.cubes.end() - scattered;
   for (auto cube = scene.cubes.begin(); cube != next; ++cube) {
     obstacles.push_back(make_box(cube->position, cube->angle, cube->size));

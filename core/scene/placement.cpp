@@ -57,6 +57,11 @@ class Placement {
           fmt::format("\"{}\" is in a pile, which is scattered last and cannot carry anything",
                       *standing.standing->on));
     }
+    if (body.kind == BodyKind::point) {
+      source_.fail(
+          place_of(*standing.origin, "on"), standing.origin->path + ".on",
+          fmt::format("\"{}\" is a point, on which nothing can stand", *standing.standing->on));
+    }
     return index;
   }
 

@@ -51,6 +51,42 @@ struct SceneCube {
   bool operator==(const SceneCube&) const = default;
 };
 
+/// A free point mass.
+struct ScenePoint {
+  std::string name;
+  double mass = 1.0;             ///< kg, > 0
+  Vec2 position = Vec2::Zero();  ///< m
+  Vec2 velocity = Vec2::Zero();  ///< m/s
+  Material material;
+  bool operator==(const ScenePoint&) const = default;
+};
+
+/// A place on a body, or fixed in the world.
+struct ScenePlace {
+  std::string body;  ///< empty: fixed in the world
+  Vec2 at =
+      Vec2::Zero();  ///< m, in the frame of the unturned body from its centre, or in the world
+  bool operator==(const ScenePlace&) const = default;
+};
+
+/// A rod (Stange) of one's own: keeps two places at a distance.
+struct SceneRod {
+  std::string name;
+  ScenePlace from;
+  ScenePlace to;
+  double length = 1.0;  ///< m, > 0
+  bool operator==(const SceneRod&) const = default;
+};
+
+/// A pin: two places that coincide stay together.
+struct ScenePin {
+  std::string name;
+  ScenePlace from;
+  ScenePlace to;
+  bool collide = false;  ///< whether the two bodies may touch each other
+  bool operator==(const ScenePin&) const = default;
+};
+
 /// Override of the surface properties of one pair of bodies, by name.
 struct ScenePair {
   std::array<std::string, 2> bodies;
@@ -68,7 +104,16 @@ struct Scene {
   std::vector<SceneFixed> fixed;
   std::vector<SceneCube> cubes;
   std::vector<ScenePair> pairs;
+  std::vector<ScenePoint> points;
+  std::vector<SceneRod> rods;
+  std::vector<ScenePin> pins;
   bool operator==(const Scene&) const = default;
 };
+
+/// Name of a body that moves; cubes are numbered first, then points.
+inline const std::string& moving_name(const Scene& scene, int i) {
+  const int cubes = static_cast<int>(scene.cubes.size());
+  return i < cubes ? scene.cubes[i].name : scene.points[i - cubes].name;
+}
 
 }  // namespace wuerfel

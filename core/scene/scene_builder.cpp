@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/scene/groups.h"
+#include "core/scene/joints.h"
 #include "core/scene/layout.h"
 #include "core/scene/overlap.h"
 #include "core/scene/pile.h"
@@ -49,10 +50,12 @@ class SceneBuilder {
     add_fixed();
     add_cubes();
     add_generators();
+    add_points();
     const BodyNames names = collect_names(scene_, groups_, source_);
     place_groups(scene_, groups_, names, source_);
     scatter_piles(scene_, entries_.piles, source_);
     add_pairs(names);
+    add_joints(scene_, entries_, names, source_);
     check_ranges();
     check_overlap();
     return std::move(scene_);
@@ -73,15 +76,17 @@ class SceneBuilder {
     for (const PileEntry& pile : entries_.piles) {
       cubes += pile.count;
     }
-    if (cubes == 0) {
+    const auto points = static_cast<std::int64_t>(entries_.points.size());
+    if (cubes + points == 0) {
       source_.fail({}, "",
                    "the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
     }
-    const std::int64_t bodies = cubes + static_cast<std::int64_t>(entries_.fixed.size());
+    const std::int64_t bodies = cubes + points + static_cast<std::int64_t>(entries_.fixed.size());
     if (bodies > most_bodies) {
-      source_.fail({}, "",
-                   fmt::format("the scene has {} cubes and fixed boxes; at most {} are allowed",
-                               bodies, most_bodies));
+      source_.fail(
+          {}, "",
+          fmt::format("the scene has {} cubes, points and fixed boxes; at most {} are allowed",
+                      bodies, most_bodies));
     }
     if (static_cast<std::int64_t>(entries_.planes.size()) > most_planes) {
       source_.fail({}, "",
@@ -206,6 +211,17 @@ class SceneBuilder {
       const Brick brick{Vec2::Zero(), pile.size.extent, 1.0};
       const std::vector<Brick> bricks(pile.count, brick);
       add_generated(pile, bricks, nullptr, fmt::format("pile{}", ++number));
+    }
+  }
+
+  void add_points() {
+    for (const PointEntry& entry : entries_.points) {
+      const auto index = static_cast<int>(scene_.points.size());
+      ScenePoint point{entry.name.value_or(fmt::format("point{}", index + 1)), entry.mass,
+                       entry.position, entry.velocity, scene_.material};
+      groups_.add(
+          {BodyKind::point, index, 1, PlacedBy::itself, &entry.origin, nullptr, point.name});
+      scene_.points.push_back(std::move(point));
     }
   }
 

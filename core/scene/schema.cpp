@@ -48,6 +48,16 @@ Json schema_of(const std::array<std::string, 2>& type, const Limits& limits) {
 Json schema_of(const Bond& /*type*/, const Limits& /*limits*/) {
   return {{"type", "string"}, {"enum", {"running", "stack"}}};
 }
+Json schema_of(const bool& /*type*/, const Limits& /*limits*/) { return {{"type", "boolean"}}; }
+Json schema_of(const PlaceEntry& /*type*/, const Limits& limits) {
+  const Json place = schema_of(Vec2{}, limits);
+  const Json in_frame = {
+      {"type", "object"},
+      {"additionalProperties", false},
+      {"properties", {{"body", schema_of(std::string(), limits::name)}, {"at", place}}},
+      {"required", {"body", "at"}}};
+  return {{"oneOf", Json::array({schema_of(std::string(), limits::place), place, in_frame})}};
+}
 Json schema_of(const Rgb& /*type*/, const Limits& /*limits*/) {
   Json names = Json::array();
   for (const NamedColor& color : okabe_ito()) {
@@ -64,6 +74,7 @@ Json schema_of(const std::optional<T>& /*type*/, const Limits& limits) {
 
 /// A key's default as JSON; null where it is the absence of the key.
 Json default_of(double value) { return value; }
+Json default_of(bool value) { return value; }
 Json default_of(std::int64_t value) { return value; }
 Json default_of(const std::string& value) { return value; }
 Json default_of(const Vec2& value) { return {value.x(), value.y()}; }

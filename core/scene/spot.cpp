@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/scene/suggestion.h"
+#include "core/scene/table_reader.h"
 
 namespace wuerfel {
 namespace {
@@ -132,6 +133,29 @@ void read(const Spot& spot, const Limits& /*limits*/, Bond& target) {
     fail_type(spot, "\"running\" or \"stack\"");
   }
   target = *text == "running" ? Bond::running : Bond::stack;
+}
+
+void read(const Spot& spot, const Limits& /*limits*/, bool& target) {
+  const auto* value = std::get_if<bool>(&spot.value.data);
+  if (value == nullptr) fail_type(spot, "true or false");
+  target = *value;
+}
+
+void read(const Spot& spot, const Limits& limits, PlaceEntry& target) {
+  if (std::holds_alternative<std::string>(spot.value.data)) {
+    return read(spot, limits::place, target.name);
+  }
+  if (std::holds_alternative<Value::Array>(spot.value.data)) {
+    return read(spot, limits, target.at);
+  }
+  if (!std::holds_alternative<Value::Table>(spot.value.data)) {
+    fail_type(spot, "\"BODY\", \"BODY.PART\", { body = .., at = [x, y] } or [x, y]");
+  }
+  TableReader reader(spot.source, spot.value, spot.path());
+  reader.required("body", target.name, limits::name, "");
+  reader.required("at", target.at, limits, "");
+  reader.finish();
+  target.in_frame = true;
 }
 
 void read(const Spot& spot, const Limits& /*limits*/, Rgb& target) {

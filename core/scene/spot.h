@@ -34,6 +34,8 @@ void read(const Spot& spot, const Limits& limits, Size& target);
 void read(const Spot& spot, const Limits& limits, Region& target);
 void read(const Spot& spot, const Limits& limits, std::array<std::string, 2>& target);
 void read(const Spot& spot, const Limits& limits, Bond& target);
+void read(const Spot& spot, const Limits& limits, bool& target);
+void read(const Spot& spot, const Limits& limits, PlaceEntry& target);
 void read(const Spot& spot, const Limits& limits, Rgb& target);
 
 template <class T>

@@ -12,7 +12,7 @@ constexpr std::size_t longest_list = 20;
 constexpr std::size_t longest_word = 100;  // longer ones are not misspellings of anything
 
 /// Fewest insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`
-/// (Damerau 1964, restricted form).
+/// [Damerau 1964], restricted form.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   const std::size_t width = b.size() + 1;
   std::vector<std::size_t> before_last(width);

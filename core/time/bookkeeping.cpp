@@ -10,6 +10,7 @@ namespace {
 void add_audit(const Audit& more, Audit& audit) {
   audit.max_penetration = std::max(audit.max_penetration, more.max_penetration);
   audit.max_overlap = std::max(audit.max_overlap, more.max_overlap);
+  audit.max_rod_error = std::max(audit.max_rod_error, more.max_rod_error);
   audit.max_kkt_residual = std::max(audit.max_kkt_residual, more.max_kkt_residual);
   audit.missed_solves += more.missed_solves;
   audit.unresolved += more.unresolved;

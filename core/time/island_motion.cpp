@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/dynamics/rod_rows.h"
 #include "core/geometry/union_find.h"
 
 namespace wuerfel {
@@ -40,7 +41,35 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   for (const int cube : cubes)
     part.bodies.push_back(whole.body(cube));
   part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
+  part.points = static_cast<int>(std::ranges::count(part.bodies, BodyKind::point, &Body::kind));
+  part.strangers = whole.strangers;
+  // Rods join cubes of one part only.
+  const auto number_in_part = [&](RodEnd& end) {
+    if (end.body < 0) return true;
+    const auto at = std::ranges::lower_bound(cubes, end.body);
+    if (at == cubes.end() || *at != end.body) return false;
+    end.body = static_cast<int>(at - cubes.begin());
+    return true;
+  };
+  for (Rod rod : whole.rods)
+    if (number_in_part(rod.i) && number_in_part(rod.j)) part.rods.push_back(std::move(rod));
   return part;
+}
+
+/// How far bodies fall before something stops them, as a scale, m: L, or, where rods hold them, how far these reach.
+double free_fall(const System& system, const State& start, const Scales& scales) {
+  if (system.rods.empty()) return scales.length;
+  BoundingBox bounds{start.front().position, start.front().position};
+  const auto include = [&](const Vec2& p) {
+    bounds = {bounds.low.cwiseMin(p), bounds.high.cwiseMax(p)};
+  };
+  for (const BodyState& s : start)
+    include(s.position);
+  for (const Rod& rod : system.rods) {
+    include(held_place(rod.i, start).p);
+    include(held_place(rod.j, start).p);
+  }
+  return std::max(scales.length, (bounds.high - bounds.low).norm());
 }
 
 }  // namespace
@@ -49,7 +78,7 @@ IslandMotion::IslandMotion(const System& system, const MotionSettings& settings,
     : system_(&system), settings_(settings) {
   scales_ = scales_of(system, start);
   length_ = first_window * scales_.time;
-  in_motion_ = kinetic_energy(system, start) + scales_.weight * scales_.length;
+  in_motion_ = kinetic_energy(system, start) + scales_.weight * free_fall(system, start, scales_);
   budget_ = drift_share * settings.tolerance * in_motion_;
   bounds_.resize(system.cubes);
   group_of_.assign(start.size(), -1);
@@ -159,6 +188,8 @@ void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
   UnionFind sets(static_cast<int>(bounds_.size()));
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
     sets.unite(pair.first, pair.second);
+  for (const Rod& rod : system_->rods)
+    if (!is_held(rod)) sets.unite(rod.i.body, rod.j.body);
   for (int i = 1; !settings_.skips.islands && i < static_cast<int>(bounds_.size()); ++i)
     sets.unite(0, i);
   parts.clear();

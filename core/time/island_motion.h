@@ -1,5 +1,6 @@
 /// Motion of all cubes: groups that cannot meet for a while move by themselves, each with its own
-/// clock, its own steps and its own choice between events and stepping.
+/// clock, its own steps and its own choice between events and stepping
+/// (timewarp: [Mirtich 2000]).
 #pragma once
 
 #include <limits>

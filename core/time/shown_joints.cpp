@@ -41,7 +41,9 @@ void include(const IslandForces& found, int k, Growing& of) {
   if (found.detail == Detail::uniqueness && found.forces.unique[k] == 0) of.joint.unique = false;
 }
 
-SnapshotJoint finish(Growing of) {
+SnapshotJoint finish(const System& system, Growing of) {
+  of.joint.body = box_of(system, of.joint.body);
+  of.joint.other = box_of(system, of.joint.other);
   const Vec2 along = perp(of.joint.normal);
   of.joint.from = of.origin + of.span.first * along;
   of.joint.to = of.origin + of.span.second * along;
@@ -49,7 +51,18 @@ SnapshotJoint finish(Growing of) {
   return of.joint;
 }
 
+/// Points have no faces: their forces are shown contact by contact.
+bool rests_on_point(const System& system, const SnapshotJoint& joint) {
+  return system.body(joint.body).kind == BodyKind::point
+         || system.body(joint.other).kind == BodyKind::point;
+}
+
 }  // namespace
+
+int box_of(const System& system, int body) {
+  if (body < system.cubes - system.points) return body;
+  return body < system.cubes ? -1 : body - system.points;
+}
 
 bool is_carried(const System& system, const Contact& contact) {
   const bool carries = system.gravity.dot(contact.normal) <= 0.0;
@@ -74,7 +87,8 @@ void add_joints(const System& system, const IslandForces& of, std::vector<Snapsh
   }
   const double least = least_pressing(of.forces);
   for (const Growing& joint : growing)
-    if (joint.pressure > least) joints.push_back(finish(joint));
+    if (joint.pressure > least && !rests_on_point(system, joint.joint))
+      joints.push_back(finish(system, joint));
 }
 
 }  // namespace wuerfel

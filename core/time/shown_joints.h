@@ -16,6 +16,9 @@ bool is_carried(const System& system, const Contact& contact);
 /// solver may leave.
 double least_pressing(const ContactForces& forces);
 
+/// Number of a body in Snapshot::boxes, planes after them; -1 of a point.
+int box_of(const System& system, int body);
+
 /// Adds the joints of an island that press.
 void add_joints(const System& system, const IslandForces& of, std::vector<SnapshotJoint>& joints);
 

@@ -48,7 +48,9 @@ struct Simulation::Impl {
         start(start_state(s)),
         energy_start(energy(system, start)),
         motion(make_motion(system, settings, start)),
-        finder(system, settings) {}
+        finder(system, settings) {
+    require_consistent_rods(system, motion->state());
+  }
 
   /// What touches and presses where the motion is. The motion and its books do not notice.
   const InstantForces& look(Detail detail) {
@@ -100,7 +102,7 @@ std::vector<std::string> Simulation::moved() const {
   const State& now = impl_->motion->state();
   for (std::size_t i = 0; i < now.size(); ++i) {
     const Body& body = impl_->system.bodies[i];
-    const double side = body.size.minCoeff();
+    const double side = body.smaller_side();
     const double far = (now[i].position - impl_->start[i].position).norm()
                        + side * std::abs(now[i].angle - impl_->start[i].angle);
     if (far > moved_share * side) names.push_back(body.name);

@@ -5,6 +5,7 @@
 
 #include "core/constraints/manifold.h"
 #include "core/constraints/side.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/time/shown_joints.h"
 
 namespace wuerfel {
@@ -18,6 +19,10 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
     const Body& body = system.body(i);
     if (body.kind == BodyKind::plane) {
       snapshot.planes.push_back({body.name, body.point, body.normal});
+      continue;
+    }
+    if (body.kind == BodyKind::point) {
+      snapshot.masses.push_back({body.name, state[i].position, body.mass, state[i].velocity});
       continue;
     }
     SnapshotBox box;
@@ -42,8 +47,36 @@ void add_bodies(const Scene& scene, const System& system, const State& state, Sn
   }
 }
 
-void add_accelerations(const InstantForces& found, Snapshot& snapshot) {
-  for (std::size_t i = 0; i < found.accelerations.size(); ++i) {
+/// Rods between bodies and pins, with their forces as far as they are known.
+void add_links(const System& system,
+               const State& state,
+               const InstantForces& found,
+               Snapshot& snapshot) {
+  std::vector<double> force(system.rods.size(), 0.0);
+  for (const IslandForces& of : found.islands) {
+    for (std::size_t k = 0; k < of.forces.rods.size(); ++k)
+      force[of.island.rods[k]] = of.forces.rods[k];
+  }
+  const auto name_of = [&](const RodEnd& end) {
+    return end.body < 0 ? std::string() : system.body(end.body).name;
+  };
+  for (std::size_t k = 0; k < system.rods.size(); ++k) {
+    const Rod& rod = system.rods[k];
+    if (rod.kind == Rod::Kind::pin_y) continue;
+    SnapshotLink link{rod.name,
+                      rod.kind == Rod::Kind::pin_x,
+                      held_place(rod.i, state).p,
+                      held_place(rod.j, state).p,
+                      {name_of(rod.i), name_of(rod.j)}};
+    link.force =
+        link.pin ? Vec2(force[k], force[k + 1]) : Vec2(force[k] * rod_direction(rod, state));
+    if (!link.pin) link.tension = -force[k];
+    snapshot.links.push_back(std::move(link));
+  }
+}
+
+void add_accelerations(const System& system, const InstantForces& found, Snapshot& snapshot) {
+  for (int i = 0; i < system.cubes - system.points; ++i) {
     snapshot.boxes[i].acceleration = found.accelerations[i].linear;
     snapshot.boxes[i].angular_acceleration = found.accelerations[i].angular;
   }
@@ -58,12 +91,14 @@ void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot
     const bool on = is_carried(system, c);
     const Vec2 force = (on ? normal : -normal) * c.normal;
     const bool unique = of.detail < Detail::uniqueness || of.forces.unique[k] != 0;
-    snapshot.forces.push_back({c.point, force, ForceKind::contact, on ? c.on : c.from, unique});
+    snapshot.forces.push_back(
+        {c.point, force, ForceKind::contact, box_of(system, on ? c.on : c.from), unique});
     if (of.forces.tangential.empty()) continue;
     const double tangential = of.forces.tangential[k];
     if (std::abs(tangential) <= rounding * normal) continue;
     const Vec2 along = (on ? tangential : -tangential) * perp(c.normal);
-    snapshot.forces.push_back({c.point, along, ForceKind::friction, on ? c.on : c.from, unique});
+    snapshot.forces.push_back(
+        {c.point, along, ForceKind::friction, box_of(system, on ? c.on : c.from), unique});
   }
 }
 
@@ -77,13 +112,13 @@ void add_rods(const System& system,
     for (const int cube : of.island.cubes)
       island_of[cube] = &of;
   }
-  for (int cube = 0; cube < system.cubes; ++cube) {
+  for (int cube = 0; cube < system.cubes - system.points; ++cube) {
     std::array<double, rods_per_cube> tension{};
     if (with_tension) {
       const IslandForces* of = island_of[cube];
       const Twist& a = found.accelerations[cube];
       tension = of == nullptr ? rod_forces(system, state, cube, a, {}, {})
-                              : rod_forces(system, state, cube, a, of->island.contacts, of->forces);
+                              : rod_forces(system, state, cube, a, of->island, of->forces);
     }
     const CubePoints points = points_of(state[cube], system.body(cube).size);
     for (std::size_t m = 0; m < cube_rods.size(); ++m) {
@@ -93,7 +128,7 @@ void add_rods(const System& system,
 }
 
 void add_points(const System& system, const State& state, Snapshot& snapshot) {
-  for (int i = 0; i < system.cubes; ++i) {
+  for (int i = 0; i < system.cubes - system.points; ++i) {
     const Body& body = system.body(i);
     const CubePoints points = points_of(state[i], body.size);
     const auto masses = mass_distribution(body.size, body.mass);
@@ -116,13 +151,13 @@ void add_sides(const System& system, const State& state, Snapshot& snapshot) {
   std::vector<Box> boxes;
   pose_boxes(system, state, boxes);
   std::vector<BoundingBox> bounds;
-  for (std::size_t i = 0; i < snapshot.boxes.size(); ++i) {
+  for (int i = 0; i < box_count(system); ++i) {
     const Vec2 reach = Vec2::Constant(boxes[i].half.norm() + 0.5 * boxes[i].smaller_side());
     bounds.push_back({boxes[i].center - reach, boxes[i].center + reach});
   }
   BroadPhase broad_phase;
   for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
-    if (!system.is_cube(pair.first)) continue;
+    if (!system.is_cube(pair.first) || !system.may_touch(pair.first, pair.second)) continue;
     const Contact c = nearest_corner(boxes, pair.first, pair.second);
     const Vec2 p_i = boxes[c.from].center + c.arm_i;
     const Vec2 p_j = boxes[c.from].center + c.arm_j;
@@ -150,7 +185,8 @@ Snapshot take_snapshot(const Scene& scene,
   snapshot.energy = energy(system, state);
   snapshot.force_residual = found.residual;
   add_bodies(scene, system, state, snapshot);
-  if (request.accelerations) add_accelerations(found, snapshot);
+  if (request.accelerations) add_accelerations(system, found, snapshot);
+  add_links(system, state, found, snapshot);
   if (request.points) add_points(system, state, snapshot);
   if (request.sides) add_sides(system, state, snapshot);
   for (const IslandForces& of : found.islands) {

@@ -45,8 +45,9 @@ std::vector<int> islands(const Snapshot& snapshot) {
   for (const SnapshotJoint& joint : snapshot.joints) {
     if (joint.other < 0 || joint.other >= std::ssize(snapshot.boxes)) continue;
     if (snapshot.boxes[joint.other].fixed || snapshot.boxes[joint.body].fixed) continue;
-    const auto [first, second] = std::minmax(find(joint.body), find(joint.other));
-    leader[second] = first;
+    const int a = find(joint.body);
+    const int b = find(joint.other);
+    leader[std::max(a, b)] = std::min(a, b);
   }
   for (int i = 0; i < std::ssize(leader); ++i)
     leader[i] = find(i);

@@ -73,17 +73,18 @@ void add_half(const ArrowShape& arrow, DrawList& list) {
 /// The inside of a hollow arrow: all of its outline moved inwards by the rim.
 ArrowShape inside_of(const FrameParts& parts, const ArrowShape& arrow) {
   const Frame frame(arrow);
-  const float rim = std::max(parts.weight(hollow_rim), 0.7F);
   const float head = arrow.head_length;
   const float wing = arrow.head_half_width;
   const float notch = 0.25F * head;
   const float slant = std::hypot(wing, head);
+  // A corner of the head moves inwards by so many rims; at least half of a small head stays hollow.
+  const float corner = (slant + std::hypot(wing, notch)) / (head - notch);
+  const float rim = std::min(std::max(parts.weight(hollow_rim), 0.7F), 0.5F * wing / corner);
   ArrowShape inside = arrow;
   inside.tail = frame.at(rim, 0.0F);
   inside.tip = frame.at(frame.length() - rim * slant / wing, 0.0F);
   inside.half_width = std::max(arrow.half_width - rim, 0.0F);
-  inside.head_half_width =
-      std::max(wing - rim * (slant + std::hypot(wing, notch)) / (head - notch), 0.0F);
+  inside.head_half_width = wing - rim * corner;
   inside.head_length = head * inside.head_half_width / wing;
   inside.color = with_alpha(parts.style.halo, 1.0);
   return inside;

@@ -2,7 +2,9 @@
 // (2), names.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "render/picture/frame_parts.h"
@@ -29,7 +31,7 @@ bool visible(const FrameParts& parts, const SnapshotBox& box) {
 
 namespace {
 
-BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box, Color fill) {
+BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box, int body) {
   const double ppm = parts.view.pixels_per_metre;
   BoxShape shape;
   shape.center = parts.pixel(box.center);
@@ -37,7 +39,7 @@ BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box, Color fill) 
   shape.half_size = {static_cast<float>(0.5 * box.size.x() * ppm),
                      static_cast<float>(0.5 * box.size.y() * ppm)};
   const float smaller = std::min(shape.half_size.x, shape.half_size.y);
-  shape.fill = fill;
+  shape.fill = parts.colors[body];
   // Coloured rods want quiet bodies.
   if (parts.has(Layer::rod_forces))
     shape.fill = mix(shape.fill, with_alpha(parts.style.halo, 1.0), 0.6);
@@ -89,10 +91,36 @@ void hatch(const FrameParts& parts, const TriangleShape& triangle) {
 
 }  // namespace
 
+// The older, the fainter; what has not moved since is not drawn twice.
+void add_ghosts(const FrameParts& parts) {
+  const auto& ghosts = parts.snapshot.ghosts;
+  std::map<std::string_view, int> number;
+  for (int i = 0; i < std::ssize(parts.snapshot.boxes); ++i)
+    number.emplace(parts.snapshot.boxes[i].name, i);
+  for (std::size_t k = 0; k < ghosts.size(); ++k) {
+    const SnapshotBox& ghost = ghosts[k];
+    const auto body = number.find(ghost.name);
+    if (body == number.end() || !visible(parts, ghost)) continue;
+    const SnapshotBox& now = parts.snapshot.boxes[body->second];
+    const double moved = (now.center - ghost.center).norm()
+                         + ghost.size.minCoeff() * std::abs(now.angle - ghost.angle);
+    if (moved < 1e-3 * ghost.size.minCoeff()) continue;
+    const double age = static_cast<double>(k + 1) / static_cast<double>(ghosts.size());
+    BoxShape shape = box_shape(parts, ghost, body->second);
+    shape.fill = with_alpha(shape.fill, 0.08 + 0.22 * age);
+    shape.outline = with_alpha(shape.outline, 0.25 + 0.35 * age);
+    shape.outline_width *= 0.7F;
+    shape.diagonal_width = 0.0F;
+    parts.list.add(shape);
+  }
+}
+
 void add_bodies(const FrameParts& parts) {
   for (std::size_t i = 0; i < parts.snapshot.boxes.size(); ++i) {
     const SnapshotBox& box = parts.snapshot.boxes[i];
-    if (visible(parts, box)) parts.list.add(box_shape(parts, box, parts.colors[i]));
+    if (!visible(parts, box)) continue;
+    parts.list.bodies.push_back({parts.list.boxes.size(), static_cast<int>(i)});
+    parts.list.add(box_shape(parts, box, static_cast<int>(i)));
   }
 }
 

@@ -12,7 +12,6 @@
 namespace wuerfel::internal {
 namespace {
 
-constexpr double shortest_arrow = 6.0;  ///< px of a 1280x720 picture; what is shorter is a dot
 constexpr double tooth_spacing = 7.0;   ///< of the comb that shows a pressure
 constexpr double pressure_share = 0.3;  ///< of an arrow's length, that an even pressure is deep
 constexpr double deepest = 0.45;        ///< m of pressure per m of typical arrow limit
@@ -164,7 +163,7 @@ double least_arrow(const FrameParts& parts) {
   const ForceScale& scale = parts.options.force_scale;
   const double pixels_per_newton = scale.metres_per_newton * parts.view.pixels_per_metre;
   return std::max(scale.hidden_below,
-                  shortest_arrow * parts.unit * parts.fineness / pixels_per_newton);
+                  shortest_force_arrow * parts.unit * parts.fineness / pixels_per_newton);
 }
 
 void add_dot(const FrameParts& parts, Pixel place, Color color, double radius) {
@@ -180,7 +179,7 @@ void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows
   for (const SnapshotJoint& joint : parts.snapshot.joints) {
     const JointArrow arrow = joint_arrow(parts.snapshot, joint, parts.options.force_scale);
     const bool room = arrow.length() * parts.view.pixels_per_metre
-                      >= 0.5 * shortest_arrow * parts.unit * parts.fineness;
+                      >= 0.5 * shortest_force_arrow * parts.unit * parts.fineness;
     if (joint.force.norm() < least || !room) {
       add_dot(parts, parts.pixel(joint.point), joint_color(parts), force_dot);
       continue;
@@ -206,8 +205,8 @@ void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arro
     const ArrowForm form = force.kind == ForceKind::friction ? ArrowForm::half
                            : force.unique                    ? ArrowForm::filled
                                                              : ArrowForm::hollow;
-    // As if pushing: from behind to the place where it acts. Friction starts there.
-    const Vec2 tail = force.kind == ForceKind::friction ? force.point : Vec2(force.point - arrow);
+    // From the place where it acts into the body.
+    const Vec2 tail = force.point;
     arrows.push_back({styled_arrow(parts, parts.pixel(tail), parts.pixel(tail + arrow), color),
                       form, full > scale.longest, magnitude});
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "render/picture/explode.h"
 #include "render/picture/frame_parts.h"
 
 namespace wuerfel {
@@ -40,6 +42,32 @@ bool is_crowd(const Snapshot& snapshot) {
 
 namespace {
 
+/// Each body in a colour that is its number, from 1 on in the order of the scene, cubes before fixed
+/// boxes: red + 256 green + 65536 blue; 0 where there is none.
+DrawList instances(const Snapshot& snapshot, const View& view) {
+  DrawList list;
+  list.width = view.width;
+  list.height = view.height;
+  list.background = rgb(0x000000);
+  list.exact = true;
+  for (int i = 0; i < std::ssize(snapshot.boxes); ++i) {
+    const SnapshotBox& box = snapshot.boxes[i];
+    const Vec2 center = view.to_pixel(box.center);
+    const auto id = static_cast<std::uint32_t>(i + 1);
+    BoxShape shape;
+    shape.center = {static_cast<float>(center.x()), static_cast<float>(center.y())};
+    shape.axis = {static_cast<float>(std::cos(box.angle)),
+                  static_cast<float>(-std::sin(box.angle))};
+    shape.half_size = {static_cast<float>(0.5 * box.size.x() * view.pixels_per_metre),
+                       static_cast<float>(0.5 * box.size.y() * view.pixels_per_metre)};
+    shape.fill = {static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(id >> 8U),
+                  static_cast<std::uint8_t>(id >> 16U), 255};
+    list.bodies.push_back({list.boxes.size(), i});
+    list.add(shape);
+  }
+  return list;
+}
+
 double head_height(const Style& style, double unit) {
   return (40.0 + style.title_size + style.text_size) * unit;
 }
@@ -73,6 +101,14 @@ DrawList compose_frame(const Snapshot& snapshot,
                        const Style& style,
                        const FrameOptions& options,
                        Font& font) {
+  if (options.layers.has(Layer::instances)) return instances(snapshot, view);
+  if (options.explode > 0.0) {
+    FrameOptions apart = options;
+    apart.explode = 0.0;
+    if (options.layers.has(Layer::forces)) apart.layers.insert(Layer::contact_forces);
+    apart.layers.erase(Layer::forces);
+    return compose_frame(exploded(snapshot, options.explode), view, style, apart, font);
+  }
   DrawList list;
   list.width = view.width;
   list.height = view.height;
@@ -89,25 +125,51 @@ DrawList compose_frame(const Snapshot& snapshot,
                                    font,
                                    labels,
                                    list};
-  if (parts.has(Layer::grid)) add_grid(parts);
-  if (parts.has(Layer::cubes)) add_ground(parts);
-  if (parts.has(Layer::trails)) add_trails(parts);
-  if (parts.has(Layer::cubes)) add_bodies(parts);
-  if (parts.has(Layer::sides)) add_sides(parts);
-  if (parts.has(Layer::rods)) add_rods(parts);
-  if (parts.has(Layer::rod_forces)) add_rod_forces(parts);
-  if (parts.has(Layer::joints)) add_pressure(parts);
-  if (parts.has(Layer::thrust)) add_thrust(parts);
-  if (parts.has(Layer::normals)) add_normals(parts);
-  if (parts.has(Layer::forces) && is_crowd(snapshot)) add_chains(parts);
-  if (parts.has(Layer::forces)) add_impacts(parts);
+  const auto part = [&](std::string_view name, void (*add)(const internal::FrameParts&)) {
+    list.begin_group(name);
+    add(parts);
+  };
+  if (parts.has(Layer::grid)) part("grid", internal::add_grid);
+  if (parts.has(Layer::cubes)) part("ground", internal::add_ground);
+  if (parts.has(Layer::trails)) part("trails", internal::add_trails);
+  if (!snapshot.ghosts.empty()) part("ghosts", internal::add_ghosts);
+  if (parts.has(Layer::cubes)) part("bodies", internal::add_bodies);
+  if (parts.has(Layer::sides)) part("sides", internal::add_sides);
+  if (parts.has(Layer::rods)) part("rods", internal::add_rods);
+  if (parts.has(Layer::rod_forces)) part("rod-forces", internal::add_rod_forces);
+  const bool shows_bodies = parts.has(Layer::cubes);
+  if (shows_bodies || parts.has(Layer::rods) || parts.has(Layer::rod_forces))
+    part("links", internal::add_links);
+  if (parts.has(Layer::joints)) part("pressure", internal::add_pressure);
+  if (parts.has(Layer::thrust)) part("thrust", internal::add_thrust);
+  if (parts.has(Layer::normals)) part("normals", internal::add_normals);
+  if (parts.has(Layer::forces) && is_crowd(snapshot)) part("chains", internal::add_chains);
+  if (parts.has(Layer::forces)) part("impacts", internal::add_impacts);
+  list.begin_group("arrows");
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
-  if (parts.has(Layer::contacts)) add_contacts(parts);
-  if (parts.has(Layer::points)) add_points(parts);
-  if (parts.has(Layer::hud)) add_hud(parts);
+  if (parts.has(Layer::contacts)) part("contacts", internal::add_contacts);
+  if (parts.has(Layer::points)) part("points", internal::add_points);
+  if (parts.has(Layer::hud)) part("hud", internal::add_hud);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
   if (parts.has(Layer::names)) add_names(parts);
+  return list;
+}
+
+DrawList compose_legend(const Snapshot& snapshot,
+                        const View& view,
+                        double unit,
+                        const Style& style,
+                        const FrameOptions& options,
+                        Font& font) {
+  DrawList list;
+  list.width = view.width;
+  list.height = view.height;
+  list.background = style.background;
+  internal::Labels labels(view.width, view.height);
+  const internal::FrameParts parts{
+      snapshot, view, style, options, unit, fineness(snapshot, view, unit), {}, font, labels, list};
+  internal::add_legend(parts);
   return list;
 }
 

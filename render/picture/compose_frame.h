@@ -18,4 +18,13 @@ DrawList compose_frame(const Snapshot& snapshot,
                        const FrameOptions& options,
                        Font& font);
 
+/// The legend of pictures in this style and with these options alone, at the foot of a page of
+/// `view`'s size: `view` has their scale, `unit` is the page's.
+DrawList compose_legend(const Snapshot& snapshot,
+                        const View& view,
+                        double unit,
+                        const Style& style,
+                        const FrameOptions& options,
+                        Font& font);
+
 }  // namespace wuerfel

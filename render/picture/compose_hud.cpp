@@ -115,7 +115,10 @@ void add_hud(const FrameParts& parts) {
   const HudParts hud = hud_parts(parts.style, parts.options, parts.view.width, parts.view.height);
   if (hud.head) add_head(parts);
   if (hud.head) add_color_bar(parts);
-  if (!hud.foot) return;
+  if (hud.foot) add_legend(parts);
+}
+
+void add_legend(const FrameParts& parts) {
   LegendRow measured(parts, LegendRow::Pass::measuring);
   add_entries(parts, measured);
   measured.paint_plate();

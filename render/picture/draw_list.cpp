@@ -16,6 +16,14 @@ void append(const Shape& shape,
 
 }  // namespace
 
+void DrawList::begin_group(std::string_view name) {
+  const std::size_t shape =
+      boxes.size() + segments.size() + arrows.size() + discs.size() + triangles.size();
+  // One that stayed empty is none.
+  if (!groups.empty() && groups.back().shape == shape) groups.pop_back();
+  groups.push_back({name, shape});
+}
+
 void DrawList::add(const BoxShape& shape) { append(shape, ShapeKind::box, boxes, runs); }
 void DrawList::add(const SegmentShape& shape) { append(shape, ShapeKind::segment, segments, runs); }
 void DrawList::add(const ArrowShape& shape) { append(shape, ShapeKind::arrow, arrows, runs); }

@@ -5,8 +5,10 @@
 /// straight alpha.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "render/picture/color.h"
@@ -95,22 +97,42 @@ struct ShapeRun {
   friend bool operator==(const ShapeRun&, const ShapeRun&) = default;
 };
 
+/// What belongs together, from a shape on: a layer, or a part of one.
+struct ShapeGroup {
+  std::string_view name;  ///< of static life
+  std::size_t shape = 0;  ///< number of its first shape in the painting order
+  friend bool operator==(const ShapeGroup&, const ShapeGroup&) = default;
+};
+
+/// Box `box` of a list stands for body `body` of its snapshot.
+struct BodyBox {
+  std::size_t box = 0;
+  int body = 0;
+  friend bool operator==(const BodyBox&, const BodyBox&) = default;
+};
+
 struct DrawList {
   int width = 0;
   int height = 0;
   Color background;
+  /// Boxes alone, each pixel whole: in the colour of the last box that has its middle.
+  bool exact = false;
   std::vector<BoxShape> boxes;
   std::vector<SegmentShape> segments;
   std::vector<ArrowShape> arrows;
   std::vector<DiscShape> discs;
   std::vector<TriangleShape> triangles;
-  std::vector<ShapeRun> runs;  ///< painting order
+  std::vector<ShapeRun> runs;      ///< painting order
+  std::vector<BodyBox> bodies;     ///< boxes that stand for bodies, in the order of `boxes`
+  std::vector<ShapeGroup> groups;  ///< in the painting order
   std::vector<TextShape> texts;
   int labels_left_out = 0;  ///< for want of a free place
 
   /// Equal lists are equal pictures.
   friend bool operator==(const DrawList&, const DrawList&) = default;
 
+  /// What is added from now on belongs to a group of this name.
+  void begin_group(std::string_view name);
   void add(const BoxShape& shape);
   void add(const SegmentShape& shape);
   void add(const ArrowShape& shape);

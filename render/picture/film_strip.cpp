@@ -16,6 +16,8 @@ namespace {
 constexpr int smallest_cell = 16;
 constexpr double gap_size = 14.0;  ///< px of a 1280x720 picture
 constexpr double caption_size = 13.0;
+constexpr double title_room = 30.0;
+constexpr double legend_room = 40.0;
 
 /// Strokes of one pixel just outside the frame at `place`.
 void add_border(CellPlace place, const StripLayout& layout, Color color, DrawList& page) {
@@ -36,18 +38,27 @@ void add_border(CellPlace place, const StripLayout& layout, Color color, DrawLis
 
 }  // namespace
 
-StripLayout strip_layout(StripGrid grid, int width, int height, double scale) {
+StripLayout strip_layout(StripGrid grid, int width, int height, double scale, bool legend) {
   // Compared in floating point first: no number of frames and no scale can overflow.
   const double unit = frame_unit(width, height, scale);
   const double least_gap = gap_size * unit + smallest_cell;
   if (!(grid.columns * least_gap < width) || !(grid.rows * least_gap < height))
     refuse(grid, width, height);
-  StripLayout layout{grid, width, height, 0, 0, 0, 0, unit};
+  StripLayout layout;
+  layout.grid = grid;
+  layout.width = width;
+  layout.height = height;
+  layout.unit = unit;
+  if (legend) {
+    layout.head_height = static_cast<int>(std::lround(title_room * unit));
+    layout.foot_height = static_cast<int>(std::lround(legend_room * unit));
+  }
   layout.gap = static_cast<int>(std::lround(gap_size * layout.unit));
   layout.caption_height = static_cast<int>(std::lround(1.7 * caption_size * layout.unit));
   layout.cell_width = (width - (grid.columns + 1) * layout.gap) / grid.columns;
-  layout.cell_height =
-      (height - layout.gap - grid.rows * (layout.gap + layout.caption_height)) / grid.rows;
+  layout.cell_height = (height - layout.head_height - layout.foot_height - layout.gap
+                        - grid.rows * (layout.gap + layout.caption_height))
+                       / grid.rows;
   if (layout.cell_width < smallest_cell || layout.cell_height < smallest_cell)
     refuse(grid, width, height);
   return layout;
@@ -64,16 +75,27 @@ CellPlace cell_place(const StripLayout& layout, std::size_t i) {
   const int column = static_cast<int>(i) % layout.grid.columns;
   const int row = static_cast<int>(i) / layout.grid.columns;
   return {layout.gap + column * (layout.cell_width + layout.gap),
-          layout.gap + row * (layout.cell_height + layout.caption_height + layout.gap)};
+          layout.head_height + layout.gap
+              + row * (layout.cell_height + layout.caption_height + layout.gap)};
 }
 
 DrawList strip_page(std::span<const std::string> captions,
                     const StripLayout& layout,
-                    const Style& style) {
+                    const Style& style,
+                    const std::string& title) {
   DrawList page;
   page.width = layout.width;
   page.height = layout.height;
   page.background = style.background;
+  if (layout.head_height > 0 && !title.empty()) {
+    TextShape text;
+    text.text = title;
+    text.size = static_cast<float>(style.title_size * layout.unit);
+    text.baseline = {static_cast<float>(layout.gap),
+                     static_cast<float>(layout.gap + 0.9 * style.title_size * layout.unit)};
+    text.color = style.ink;
+    page.texts.push_back(std::move(text));
+  }
   for (std::size_t i = 0; i < captions.size(); ++i) {
     const CellPlace place = cell_place(layout, i);
     add_border(place, layout, style.grid_axis, page);

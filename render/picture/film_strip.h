@@ -23,12 +23,15 @@ struct StripLayout {
   int height = 0;
   int cell_width = 0;  ///< px, of one frame: draw them at this size, without a HUD
   int cell_height = 0;
+  int head_height = 0;  ///< of the title; 0: none
+  int foot_height = 0;  ///< of the legend; 0: none
   int gap = 0;
   int caption_height = 0;
   double unit = 1.0;  ///< text scale
 };
-/// Throws RenderError where the frames would be smaller than 16 pixels.
-StripLayout strip_layout(StripGrid grid, int width, int height, double scale);
+/// With a title and a legend or without. Throws RenderError where the frames would be smaller than
+/// 16 pixels.
+StripLayout strip_layout(StripGrid grid, int width, int height, double scale, bool legend = false);
 
 /// `count` times from 0 to `end`, both included, evenly spaced (one: the end).
 std::vector<double> strip_times(int count, double end);
@@ -41,9 +44,11 @@ struct CellPlace {
 CellPlace cell_place(const StripLayout& layout, std::size_t i);
 
 /// What a strip shows besides its frames: the background, a thin border around every frame, so that
-/// frames on a white page stay apart, and below it the caption (for instance its time).
+/// frames on a white page stay apart, and below it the caption (for instance its time); where the
+/// layout has room for it the title.
 DrawList strip_page(std::span<const std::string> captions,
                     const StripLayout& layout,
-                    const Style& style);
+                    const Style& style,
+                    const std::string& title = {});
 
 }  // namespace wuerfel

@@ -18,6 +18,8 @@ struct FrameOptions {
   double full_rod_force = 0.0;  ///< N that makes a rod as thick as it gets; 0: the frame's largest
   Legend legend{LegendEntry::contact};
   BodyColoring coloring;
+  double explode =
+      0.0;  ///< bodies are so much farther apart than they are, with all forces on them
   double interval = 0.0;  ///< s between frames: how many digits the time has; 0: a still picture
   /// HiDPI factor on text, lines and arrow heads.
   double scale = 1.0;
@@ -27,6 +29,9 @@ struct FrameOptions {
 /// instead of arrows.
 constexpr int crowd = 300;
 bool is_crowd(const Snapshot& snapshot);
+
+/// px of a 1280x720 picture; a force whose arrow would be shorter is a dot.
+constexpr double shortest_force_arrow = 6.0;
 
 /// Pixels per pixel of a 1280x720 picture: all weights grow with the picture, so that a poster
 /// looks like a thumbnail, but never below what can be read.

@@ -58,11 +58,13 @@ struct PendingArrow {
 void add_grid(const FrameParts& parts);
 void add_ground(const FrameParts& parts);
 void add_trails(const FrameParts& parts);
+void add_ghosts(const FrameParts& parts);
 void add_bodies(const FrameParts& parts);
 void add_sides(const FrameParts& parts);
 void add_rods(const FrameParts& parts);
 void add_rod_forces(const FrameParts& parts);
 void add_points(const FrameParts& parts);
+void add_links(const FrameParts& parts);
 void add_contacts(const FrameParts& parts);
 void add_normals(const FrameParts& parts);
 void add_pressure(const FrameParts& parts);
@@ -73,6 +75,8 @@ void add_impacts(const FrameParts& parts);
 std::vector<PendingArrow> add_arrows(const FrameParts& parts);
 void add_names(const FrameParts& parts);
 void add_hud(const FrameParts& parts);
+/// The foot of the HUD alone.
+void add_legend(const FrameParts& parts);
 
 /// Arrows of the forces, and dots for those too small for one.
 void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);

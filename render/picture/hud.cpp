@@ -19,6 +19,16 @@ constexpr double plate_edge = 7.0;
 constexpr double plate_alpha = 0.94;
 constexpr double text_halo = 2.0;
 
+/// A rectangle without an outline: a stroke as wide as it is high.
+void add_bar(const FrameParts& parts, const Area& area, Color color) {
+  const auto middle = static_cast<float>(0.5 * (area.top + area.bottom));
+  parts.list.add(SegmentShape{{static_cast<float>(area.left), middle},
+                              {static_cast<float>(area.right), middle},
+                              static_cast<float>(0.5 * (area.bottom - area.top)),
+                              0.0F,
+                              color});
+}
+
 }  // namespace
 
 void add_plate(const FrameParts& parts, const Area& area) {
@@ -30,12 +40,8 @@ void add_plate(const FrameParts& parts, const Area& area) {
   const Color below = ground                           ? parts.style.ground
                       : parts.style.background.a < 255 ? parts.style.halo
                                                        : parts.style.background;
-  BoxShape plate;
-  plate.center = {static_cast<float>(middle.x()), static_cast<float>(middle.y())};
-  plate.half_size = {static_cast<float>(0.5 * (wide.right - wide.left)),
-                     static_cast<float>(0.5 * (wide.bottom - wide.top))};
-  plate.fill = below.a < 255 ? below : with_alpha(below, plate_alpha);
-  parts.list.add(plate);
+  const Color fill = below.a < 255 ? below : with_alpha(below, plate_alpha);
+  add_bar(parts, wide, fill);
 }
 
 void HudText::add(std::string text, double x, double y, double size, Color color) {
@@ -189,14 +195,10 @@ void add_color_bar(const FrameParts& parts) {
   const bool load = coloring.by == ColorBy::load;
   add_plate(parts, {bar_left, high - 2.2 * size, right, low + 0.5 * size});
   for (int k = 0; k < steps; ++k) {
-    BoxShape step;
-    const double step_height = (low - high) / steps;
-    step.center = {static_cast<float>(bar_left + 0.5 * bar_width),
-                   static_cast<float>(low - (k + 0.5) * step_height)};
-    step.half_size = {static_cast<float>(0.5 * bar_width),
-                      static_cast<float>(0.5 * step_height + 0.3)};
-    step.fill = scale_color(parts.style, (k + 0.5) / steps);
-    parts.list.add(step);
+    const double step = (low - high) / steps;
+    add_bar(parts,
+            {bar_left, low - (k + 1) * step - 0.3, bar_left + bar_width, low - k * step + 0.3},
+            scale_color(parts.style, (k + 0.5) / steps));
   }
   const auto write = [&](std::string text, double x, double y) {
     TextShape shape;

@@ -9,12 +9,12 @@
 namespace wuerfel {
 
 enum class Layer {
-  cubes,           ///< cubes, fixed boxes and the ground
-  rods,            ///< the rods that keep a cube stiff (Figure 2 of the paper)
-  points,          ///< point masses, area proportional to mass (Figure 7)
-  sides,           ///< the triangle of Eq. (2) with its sign (Figures 3 and 4)
-  normals,         ///< unit normals of the contacts
-  forces,          ///< what bodies do to each other, one arrow for each touching face; impacts
+  cubes,    ///< cubes, points, rods between bodies, pins, fixed boxes and the ground
+  rods,     ///< the rods that keep a cube stiff (Figure 2 of the paper); those between bodies
+  points,   ///< point masses, area proportional to mass (Figure 7)
+  sides,    ///< the triangle of Eq. (2) with its sign (Figures 3 and 4)
+  normals,  ///< unit normals of the contacts
+  forces,   ///< what bodies do to each other, one arrow for each touching face; impacts
   contact_forces,  ///< the same corner by corner, friction apart
   joints,          ///< pressure along each touching face, and its sum in numbers
   thrust,          ///< where the forces run through the bodies, and hinges

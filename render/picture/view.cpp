@@ -53,6 +53,12 @@ void Bounds::include(const SnapshotBox& box) {
 void Bounds::include(const Snapshot& snapshot, const ForceScale& force_scale) {
   for (const SnapshotBox& box : snapshot.boxes)
     include(box);
+  for (const SnapshotMass& mass : snapshot.masses)
+    include(mass.position);
+  for (const SnapshotLink& link : snapshot.links) {
+    include(link.a);
+    include(link.b);
+  }
   if (!empty()) include_near_ground(snapshot, *this);
   if (force_scale.metres_per_newton <= 0.0) return;
   for (const SnapshotForce& force : snapshot.forces) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -113,9 +114,42 @@ Font& Renderer::font() { return font_; }
 
 const std::string& Renderer::description() const { return gl_->description(); }
 
+namespace {
+
+/// Each pixel whose middle lies in a box gets its colour; the last box wins.
+void fill_exactly(const DrawList& list, Image& image) {
+  image = Image(list.width, list.height, list.background);
+  for (const BoxShape& box : list.boxes) {
+    const float reach_x =
+        std::abs(box.axis.x) * box.half_size.x + std::abs(box.axis.y) * box.half_size.y;
+    const float reach_y =
+        std::abs(box.axis.y) * box.half_size.x + std::abs(box.axis.x) * box.half_size.y;
+    const auto pixel = [](float at, int end) {
+      return static_cast<int>(std::clamp(std::floor(at), 0.0F, static_cast<float>(end)));
+    };
+    const int right = pixel(box.center.x + reach_x + 1.0F, list.width);
+    const int bottom = pixel(box.center.y + reach_y + 1.0F, list.height);
+    for (int y = pixel(box.center.y - reach_y, list.height); y < bottom; ++y) {
+      for (int x = pixel(box.center.x - reach_x, list.width); x < right; ++x) {
+        const float dx = static_cast<float>(x) + 0.5F - box.center.x;
+        const float dy = static_cast<float>(y) + 0.5F - box.center.y;
+        const bool inside = std::abs(dx * box.axis.x + dy * box.axis.y) <= box.half_size.x
+                            && std::abs(dy * box.axis.x - dx * box.axis.y) <= box.half_size.y;
+        if (inside) image.set(x, y, box.fill);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 RowRange Renderer::draw(const DrawList& list, Image& image) {
   if (image.width() != list.width || image.height() != list.height)
     image = Image(list.width, list.height);
+  if (list.exact) {
+    fill_exactly(list, image);
+    return {0, list.height};
+  }
   const RowRange changed = gl_->draw(list, image);
   for (const TextShape& text : list.texts)
     internal::blend_text(text, font_, image);

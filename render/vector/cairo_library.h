@@ -4,7 +4,6 @@
 
 #include <cairo/cairo-ft.h>
 #include <cairo/cairo-pdf.h>
-#include <cairo/cairo-svg.h>
 
 namespace wuerfel::internal {
 
@@ -15,7 +14,7 @@ namespace wuerfel::internal {
   X(pdf_surface_create_for_stream) X(rectangle) X(restore) X(save) X(scale) X(set_font_face)    \
   X(set_font_size) X(set_line_cap) X(set_line_join) X(set_line_width) X(set_miter_limit)                 \
   X(set_source_rgba) X(show_text_glyphs) X(status) X(status_to_string) X(stroke) X(surface_destroy)      \
-  X(surface_finish) X(svg_surface_create_for_stream) X(svg_surface_set_document_unit) X(translate)
+  X(surface_finish) X(pdf_surface_set_metadata) X(translate)
 // clang-format on
 
 struct CairoLibrary {

@@ -24,10 +24,6 @@ cairo_font_face_t* make_face(const CairoLibrary& cairo) {
   return face;
 }
 
-Pen::Point point(Pixel pixel) {
-  return {static_cast<double>(pixel.x), static_cast<double>(pixel.y)};
-}
-
 }  // namespace
 
 Pen::Pen(const CairoLibrary& cairo, cairo_surface_t* surface, Font& font)
@@ -86,29 +82,18 @@ void Pen::line(Point from, Point to, double width, cairo_line_cap_t cap) {
 }
 
 void Pen::draw(const BoxShape& box) {
-  const Point center = point(box.center);
-  const Point axis = point(box.axis);
-  const auto corners = [&](double inset) {
-    const double half_width = static_cast<double>(box.half_size.x) - inset;
-    const double half_height = static_cast<double>(box.half_size.y) - inset;
-    const auto corner = [&](double u, double v) {
-      return Point{center.x + u * half_width * axis.x - v * half_height * axis.y,
-                   center.y + u * half_width * axis.y + v * half_height * axis.x};
-    };
-    return std::array<Point, 4>{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
-  };
+  const auto width = static_cast<double>(box.outline_width);
   source(box.fill);
-  polygon(corners(0.0));
+  polygon(corners(box, 0.0));
   cairo_.fill(context_);
   source(box.outline);
-  const auto width = static_cast<double>(box.outline_width);
   if (box.diagonal_width > 0.0F) {
-    const auto ends = corners(width);
+    const auto ends = corners(box, width);
     line(ends[0], ends[2], static_cast<double>(box.diagonal_width), CAIRO_LINE_CAP_BUTT);
     line(ends[1], ends[3], static_cast<double>(box.diagonal_width), CAIRO_LINE_CAP_BUTT);
   }
   if (width <= 0.0) return;
-  polygon(corners(0.5 * width));
+  polygon(corners(box, 0.5 * width));
   stroke(width, CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
 }
 
@@ -119,30 +104,8 @@ void Pen::draw(const SegmentShape& segment) {
 }
 
 void Pen::draw(const ArrowShape& arrow) {
-  const Point tail = point(arrow.tail);
-  const Point tip = point(arrow.tip);
-  const double length = std::hypot(tip.x - tail.x, tip.y - tail.y);
-  const Point along{(tip.x - tail.x) / length, (tip.y - tail.y) / length};
-  const auto half_width = static_cast<double>(arrow.half_width);
-  const auto head = static_cast<double>(arrow.head_length);
-  const auto wing = static_cast<double>(arrow.head_half_width);
-  const double notch = 0.25 * head;
-  const double base = length - head;
-  // Where the shaft meets the swept-back edge of the head.
-  const double neck = base + notch * (1.0 - half_width / wing);
-  const std::array<Point, 7> outline{{{0.0, half_width},
-                                      {neck, half_width},
-                                      {base, wing},
-                                      {length, 0.0},
-                                      {base, -wing},
-                                      {neck, -half_width},
-                                      {0.0, -half_width}}};
-  std::array<Point, 7> corners{};
-  std::ranges::transform(outline, corners.begin(), [&](Point p) {
-    return Point{tail.x + p.x * along.x - p.y * along.y, tail.y + p.x * along.y + p.y * along.x};
-  });
   source(arrow.color);
-  polygon(corners);
+  polygon(outline(arrow));
   if (arrow.grow <= 0.0F) {
     cairo_.fill(context_);
     return;
@@ -169,39 +132,13 @@ void Pen::draw(const DiscShape& disc) {
 }
 
 void Pen::draw(const TriangleShape& triangle) {
-  const std::array<Point, 3> corners{point(triangle.a), point(triangle.b), point(triangle.c)};
-  const auto side = [&](std::size_t i) {
-    const Point from = corners.at((i + 1) % 3);
-    const Point to = corners.at((i + 2) % 3);
-    return std::hypot(to.x - from.x, to.y - from.y);
-  };
-  const double perimeter = side(0) + side(1) + side(2);
-  Point incenter;
-  for (std::size_t i = 0; i < 3; ++i) {
-    incenter.x += side(i) / perimeter * corners.at(i).x;
-    incenter.y += side(i) / perimeter * corners.at(i).y;
-  }
-  const double area = 0.5
-                      * std::abs((corners[1].x - corners[0].x) * (corners[2].y - corners[0].y)
-                                 - (corners[1].y - corners[0].y) * (corners[2].x - corners[0].x));
-  const double radius = 2.0 * area / perimeter;
   const auto width = static_cast<double>(triangle.outline_width);
-  // A triangle moved inwards on all sides is a smaller one about the incentre.
-  const auto inset = [&](double by) {
-    std::array<Point, 3> moved{};
-    const double shrink = std::max(0.0, 1.0 - by / radius);
-    std::ranges::transform(corners, moved.begin(), [&](Point p) {
-      return Point{incenter.x + shrink * (p.x - incenter.x),
-                   incenter.y + shrink * (p.y - incenter.y)};
-    });
-    return moved;
-  };
   source(triangle.fill);
-  polygon(inset(width));
+  polygon(corners(triangle, width));
   cairo_.fill(context_);
   if (width <= 0.0) return;
   source(triangle.outline);
-  polygon(inset(0.5 * width));
+  polygon(corners(triangle, 0.5 * width));
   stroke(width, CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
 }
 

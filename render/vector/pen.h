@@ -1,5 +1,4 @@
-/// Pen: draws draw lists with Cairo; the counterpart of Renderer and its shaders for vector
-/// figures.
+/// Pen: draws draw lists with Cairo, for PDF; the counterpart of Renderer and its shaders.
 #pragma once
 
 #include <span>
@@ -7,16 +6,12 @@
 #include "render/picture/draw_list.h"
 #include "render/picture/font.h"
 #include "render/vector/cairo_library.h"
+#include "render/vector/outlines.h"
 
 namespace wuerfel::internal {
 
 class Pen {
  public:
-  struct Point {
-    double x = 0.0;
-    double y = 0.0;
-  };
-
   /// Draws on `surface` with the shipped font; `font` measures the texts.
   Pen(const CairoLibrary& cairo, cairo_surface_t* surface, Font& font);
   ~Pen();

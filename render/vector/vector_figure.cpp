@@ -6,6 +6,7 @@
 #include "render/error.h"
 #include "render/vector/cairo_library.h"
 #include "render/vector/pen.h"
+#include "render/vector/svg_writer.h"
 
 namespace wuerfel {
 namespace {
@@ -18,20 +19,6 @@ cairo_status_t append(void* target, const unsigned char* bytes, unsigned int cou
   return CAIRO_STATUS_SUCCESS;
 }
 
-cairo_surface_t* make_surface(const internal::CairoLibrary& cairo,
-                              const DrawList& list,
-                              VectorFormat format,
-                              std::vector<std::uint8_t>& file) {
-  if (format == VectorFormat::pdf) {
-    return cairo.pdf_surface_create_for_stream(append, &file, list.width * points_per_pixel,
-                                               list.height * points_per_pixel);
-  }
-  cairo_surface_t* surface =
-      cairo.svg_surface_create_for_stream(append, &file, list.width, list.height);
-  cairo.svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
-  return surface;
-}
-
 /// Takes the entry out of a PDF and keeps all offsets: blanks in its place.
 void blank_creation_date(std::vector<std::uint8_t>& pdf) {
   constexpr std::string_view key = "/CreationDate (";
@@ -41,14 +28,61 @@ void blank_creation_date(std::vector<std::uint8_t>& pdf) {
   if (end != pdf.end()) std::fill(found, end + 1, static_cast<std::uint8_t>(' '));
 }
 
-/// Cairo numbers its surfaces through the life of a process.
-void name_picture(std::vector<std::uint8_t>& svg) {
-  constexpr std::string_view key = "<g id=\"surface";
-  constexpr std::string_view name = "<g id=\"picture";
-  const auto found = std::search(svg.begin(), svg.end(), key.begin(), key.end());
-  if (found == svg.end()) return;
-  const auto digits = std::copy(name.begin(), name.end(), found);
-  svg.erase(digits, std::find(digits, svg.end(), static_cast<std::uint8_t>('"')));
+void set_texts(const internal::CairoLibrary& cairo,
+               cairo_surface_t* surface,
+               const FigureTexts& texts) {
+  const auto set = [&](cairo_pdf_metadata_t key, const std::string& value) {
+    if (!value.empty()) cairo.pdf_surface_set_metadata(surface, key, value.c_str());
+  };
+  set(CAIRO_PDF_METADATA_TITLE, texts.title);
+  // The origin in one entry: a line with the key, then the value.
+  std::string origin;
+  for (const PngText& text : texts.origin)
+    origin += text.key + ": " + text.value + "\n";
+  set(CAIRO_PDF_METADATA_SUBJECT, texts.description);
+  set(CAIRO_PDF_METADATA_KEYWORDS, origin);
+}
+
+std::vector<std::uint8_t> encode_pdf(const DrawList& list,
+                                     Font& font,
+                                     std::span<const PlacedList> insets,
+                                     const FigureTexts& texts) {
+  const internal::CairoLibrary& cairo = internal::cairo_library();
+  constexpr double points_per_mm = 72.0 / 25.4;
+  const double scale =
+      texts.width_mm > 0.0 ? texts.width_mm * points_per_mm / list.width : points_per_pixel;
+  std::vector<std::uint8_t> file;
+  cairo_surface_t* surface =
+      cairo.pdf_surface_create_for_stream(append, &file, list.width * scale, list.height * scale);
+  cairo_status_t status = CAIRO_STATUS_SUCCESS;
+  {
+    internal::Pen pen(cairo, surface, font);
+    set_texts(cairo, surface, texts);
+    pen.scale(scale);
+    pen.draw(list, 0, 0);
+    for (const PlacedList& inset : insets)
+      pen.draw(inset.list, inset.x, inset.y);
+    status = pen.status();
+  }
+  cairo.surface_finish(surface);
+  cairo.surface_destroy(surface);
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw LibraryError(std::string("Cairo cannot draw the figure: ")
+                       + cairo.status_to_string(status));
+  }
+  blank_creation_date(file);
+  return file;
+}
+
+std::vector<std::uint8_t> encode_svg(const DrawList& list,
+                                     std::span<const PlacedList> insets,
+                                     const FigureTexts& texts) {
+  internal::SvgWriter writer(list.width, list.height, texts);
+  writer.add(list, 0, 0, "");
+  for (std::size_t i = 0; i < insets.size(); ++i)
+    writer.add(insets[i].list, insets[i].x, insets[i].y, "picture" + std::to_string(i + 1) + "-");
+  const std::string svg = writer.finish();
+  return {svg.begin(), svg.end()};
 }
 
 }  // namespace
@@ -62,31 +96,12 @@ std::optional<VectorFormat> vector_format(const std::string& path) {
 std::vector<std::uint8_t> encode_vector_figure(const DrawList& list,
                                                VectorFormat format,
                                                Font& font,
-                                               std::span<const PlacedList> insets) {
-  const internal::CairoLibrary& cairo = internal::cairo_library();
-  std::vector<std::uint8_t> file;
-  cairo_surface_t* surface = make_surface(cairo, list, format, file);
-  cairo_status_t status = CAIRO_STATUS_SUCCESS;
-  {
-    internal::Pen pen(cairo, surface, font);
-    if (format == VectorFormat::pdf) pen.scale(points_per_pixel);
-    pen.draw(list, 0, 0);
-    for (const PlacedList& inset : insets)
-      pen.draw(inset.list, inset.x, inset.y);
-    status = pen.status();
-  }
-  cairo.surface_finish(surface);
-  cairo.surface_destroy(surface);
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw LibraryError(std::string("Cairo cannot draw the figure: ")
-                       + cairo.status_to_string(status));
-  }
-  if (format == VectorFormat::pdf) {
-    blank_creation_date(file);
-  } else {
-    name_picture(file);
-  }
-  return file;
+                                               std::span<const PlacedList> insets,
+                                               const FigureTexts& texts) {
+  return format == VectorFormat::pdf ? encode_pdf(list, font, insets, texts)
+                                     : encode_svg(list, insets, texts);
 }
+
+std::vector<PngText> read_origin(std::string_view svg) { return internal::origin_of_svg(svg); }
 
 }  // namespace wuerfel

@@ -77,19 +77,26 @@ TEST_P(LayerPicture, LooksAsItDid) {
 INSTANTIATE_TEST_SUITE_P(
     Golden,
     LayerPicture,
-    ::testing::Values(LayerCase{"cubes", {Layer::cubes}},
-                      LayerCase{"rods", {Layer::cubes, Layer::rods}},
-                      LayerCase{"points", {Layer::cubes, Layer::rods, Layer::points}},
-                      LayerCase{"sides", {Layer::cubes, Layer::sides, Layer::names}},
-                      LayerCase{"normals", {Layer::cubes, Layer::contacts, Layer::normals}},
-                      LayerCase{"forces", {Layer::forces}},
-                      LayerCase{"rod_forces", {Layer::cubes, Layer::rod_forces, Layer::hud}},
-                      LayerCase{"velocities", {Layer::cubes, Layer::velocities, Layer::hud}},
-                      LayerCase{"trails", {Layer::cubes, Layer::trails}},
-                      LayerCase{"contacts", {Layer::cubes, Layer::contacts}},
-                      LayerCase{"grid", {Layer::cubes, Layer::grid}},
-                      LayerCase{"names", {Layer::cubes, Layer::names}},
-                      LayerCase{"hud", {Layer::hud}}),
+    ::testing::Values(
+        LayerCase{"cubes", {Layer::cubes}},
+        LayerCase{"rods", {Layer::cubes, Layer::rods}},
+        LayerCase{"points", {Layer::cubes, Layer::rods, Layer::points}},
+        LayerCase{"sides", {Layer::cubes, Layer::sides, Layer::names}},
+        LayerCase{"normals", {Layer::cubes, Layer::contacts, Layer::normals}},
+        LayerCase{"forces", {Layer::forces}},
+        LayerCase{"contact_forces", {Layer::cubes, Layer::contact_forces, Layer::hud}},
+        LayerCase{"joints", {Layer::cubes, Layer::joints, Layer::forces, Layer::hud}},
+        LayerCase{"thrust", {Layer::cubes, Layer::thrust, Layer::hud}},
+        LayerCase{"weights", {Layer::cubes, Layer::weights, Layer::values, Layer::hud}},
+        LayerCase{"accelerations", {Layer::cubes, Layer::accelerations, Layer::hud}},
+        LayerCase{"instances", {Layer::instances}},
+        LayerCase{"rod_forces", {Layer::cubes, Layer::rod_forces, Layer::hud}},
+        LayerCase{"velocities", {Layer::cubes, Layer::velocities, Layer::hud}},
+        LayerCase{"trails", {Layer::cubes, Layer::trails}},
+        LayerCase{"contacts", {Layer::cubes, Layer::contacts}},
+        LayerCase{"grid", {Layer::cubes, Layer::grid}},
+        LayerCase{"names", {Layer::cubes, Layer::names}},
+        LayerCase{"hud", {Layer::hud}}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(GoldenPicture, ShowsCubesTooSmallForFullLines) {
@@ -117,11 +124,30 @@ TEST(GoldenPicture, GrowsTextAndLinesForHiDpi) {
 
 TEST(GoldenPicture, MarksArrowsThatAreCutAndHidesSmallOnes) {
   Snapshot snapshot = pyramid_snapshot();
-  snapshot.forces[0].force.y() = 100.0;  // at 0.125 m/N: longer than the longest, 1.25 m
-  snapshot.forces[3].force.y() = 0.009;  // below the smallest, 0.01 N
-  const FrameOptions options = literal_options(default_layers);
+  snapshot.joints[0].force.y() = 100.0;  // at 0.04 m/N: longer than the longest, 0.8 m
+  snapshot.joints[3].force.y() = 0.2;    // below the smallest, 0.3 N
+  FrameOptions options = literal_options(default_layers);
+  options.legend.insert(LegendEntry::cut);
+  options.legend.insert(LegendEntry::hidden);
   const View view = literal_view(snapshot, make_style(Theme::light), options, width, height);
   EXPECT_TRUE(matches_golden("capped", draw(snapshot, view, Theme::light, options)));
+}
+
+TEST(GoldenPicture, ColoursByLoadWithAScale) {
+  FrameOptions options = literal_options({Layer::cubes, Layer::hud});
+  options.coloring = {ColorBy::load, 25.0};
+  const Snapshot snapshot = pyramid_snapshot();
+  const View view = literal_view(snapshot, make_style(Theme::light), options, width, height);
+  EXPECT_TRUE(matches_golden("load", draw(snapshot, view, Theme::light, options)));
+}
+
+TEST(GoldenPicture, SetsBodiesFree) {
+  FrameOptions options =
+      literal_options({Layer::cubes, Layer::forces, Layer::weights, Layer::values});
+  options.explode = 0.6;
+  const Snapshot snapshot = pyramid_snapshot();
+  const View view = fixed_view(Vec2(-0.5, 2.5), 12.0, width, height);
+  EXPECT_TRUE(matches_golden("free", draw(snapshot, view, Theme::light, options)));
 }
 
 TEST(GoldenPicture, LaysAStripOut) {
@@ -166,17 +192,17 @@ class Mutation : public ::testing::Test {
 TEST_F(Mutation, NothingChangedIsIdentical) { EXPECT_EQ(verdict(), CompareVerdict::identical); }
 
 TEST_F(Mutation, MissingArrowIsCaught) {
-  snapshot.forces.pop_back();
+  snapshot.joints.pop_back();
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, ArrowOnePixelAsideIsCaught) {
-  snapshot.forces.front().point.x() += pixel();
+  snapshot.joints.front().point.x() += pixel();
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 
 TEST_F(Mutation, ArrowOnePixelLongerIsCaught) {
-  snapshot.forces.front().force.y() += pixel() / options.force_scale.metres_per_newton;
+  snapshot.joints.front().force.y() += pixel() / options.force_scale.metres_per_newton;
   EXPECT_EQ(verdict(), CompareVerdict::different);
 }
 

@@ -1,5 +1,6 @@
 """Still pictures: formats, strips, cameras."""
 import subprocess
+from xml.etree import ElementTree
 
 from program import FALLING, FLYING, STANDING, ProgramTest, main, png_chunks, png_size, png_texts
 
@@ -40,7 +41,71 @@ class Formats(ProgramTest):
         self.assertEqual(png_size(self.path("f.png")), (7680, 4320))
 
 
+    def test_svg_is_small_and_says_what_it_shows(self):
+        self.expect(0, "figure", "demo", "-t", "1.6", "--layers", "cubes,forces,trails,names,hud", "-o", "f.svg")
+        with open(self.path("f.svg")) as file:
+            svg = file.read()
+        self.assertLess(len(svg), 200_000)
+        root = ElementTree.fromstring(svg)
+        name = "{http://www.w3.org/2000/svg}"
+        self.assertEqual(root.find(name + "title").text, "Fallende Würfel")
+        self.assertIn("Fallende Würfel", [text.text for text in root.iter(name + "text")])
+        ids = [rect.get("id") for rect in root.iter(name + "rect") if rect.get("class") == "body"]
+        self.assertIn("body-crooked_1", ids)
+        self.assertEqual(len(ids), len(set(ids)))
+        self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+
+    def test_width_on_paper(self):
+        self.expect(0, "figure", self.scene(STANDING), "--width", "84mm", "-o", "f.svg", *SMALL)
+        with open(self.path("f.svg")) as file:
+            self.assertIn('width="84mm"', file.read())
+        self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+        self.assertIn("--width", self.expect(2, "figure", self.scene(STANDING), "--width", "84mm", "-o", "f.png").stderr)
+
+    def test_height_by_content(self):
+        self.expect(0, "figure", self.scene(STANDING), "--size", "640xauto", "-o", "f.png")
+        width, height = png_size(self.path("f.png"))
+        self.assertEqual(width, 640)
+        self.assertNotEqual(height, 360)
+        self.expect(0, "reproduce", "f.png")
+
+    def test_a_figure_is_the_frame_of_its_film(self):
+        self.expect(0, "run", self.scene(FALLING), "-o", "f/", "--fps", "60", "--layers", "cubes,forces", *SMALL)
+        self.expect(0, "figure", self.scene(FALLING), "-t", "0.25", "-o", "f.png", "--layers", "cubes,forces", *SMALL)
+        self.assertEqual(self.expect(0, "compare", "f/frame_000015.png", "f.png").stdout, "identical\n")
+
+    def test_options_that_make_no_sense_are_errors(self):
+        scene = self.scene(STANDING)
+        for arguments in (("--scale", "20"), ("--ghosts", "1.5"), ("--ghosts", "3", "--strip", "2x1"), ("--explode", "-1"),
+                          ("--width", "84"), ("--color", "lod"), ("--legend", "cutt"), ("--fit", "film")):
+            with self.subTest(arguments):
+                self.expect(2, "figure", scene, "-o", "f.png", *arguments)
+
+    def test_letters_that_the_font_does_not_have_are_told(self):
+        done = self.expect(0, "figure", self.scene({**STANDING, "title": "立方体"}), "-o", "f.png", *SMALL)
+        self.assertIn("U+7ACB", done.stderr)
+        done = self.expect(0, "figure", self.scene({**STANDING, "title": "مكعب"}), "-o", "f.png", *SMALL)
+        self.assertIn("right to left", done.stderr)
+
+    def test_every_layer_option_can_be_made_again(self):
+        scene = self.scene(FALLING)
+        layers = "cubes,forces,contact-forces,joints,thrust,weights,accelerations,values,names,hud"
+        for arguments in (("--layers", layers), ("--explode", "0.4", "--layers", layers), ("--ghosts", "4"),
+                          ("--color", "load"), ("--color", "speed"), ("--color", "island"), ("--layers", "instances"),
+                          ("--fit", "instant"), ("--average", "0.05"), ("--size", "640xauto")):
+            with self.subTest(arguments):
+                self.expect(0, "figure", scene, "-t", "0.3", "-o", "f.png", *arguments)
+                self.assertEqual(self.expect(0, "reproduce", "f.png").stdout, "identical\n")
+
+
 class Strips(ProgramTest):
+    def test_a_strip_has_the_shape_of_its_scene(self):
+        self.expect(0, "figure", self.scene(STANDING), "--strip", "2x1", "-o", "f.png")
+        width, height = png_size(self.path("f.png"))
+        self.assertEqual(width, 1280)
+        self.assertNotEqual(height, 720)
+        self.assertEqual(self.expect(0, "reproduce", "f.png").stdout, "identical\n")
+
     def test_even_times_go_from_the_start_to_the_end(self):
         self.expect(0, "figure", self.scene(FLYING), "--strip", "3x2", "-o", "f.png", *SMALL)
         self.assertEqual(png_texts(self.path("f.png"))["Simulated time"], "0,0.2,0.4,0.6,0.8,1")

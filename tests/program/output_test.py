@@ -101,7 +101,7 @@ class Films(ProgramTest):
     def test_every_kind_of_film_has_every_frame(self):
         names = ("f.mp4", "f.webm", "f.gif", "f.apng")
         outputs = [argument for name in names for argument in ("-o", name)]
-        self.expect(0, "run", self.scene(FLYING), *outputs, "--fps", "10", *SMALL)
+        self.expect(0, "run", self.scene(FLYING), *outputs, "--fps", "10", "--hold", "0", *SMALL)
         self.assertEqual(self.files(), sorted([*names, "scene.json"]))
         codecs = {}
         for name in names:
@@ -111,6 +111,21 @@ class Films(ProgramTest):
         self.assertEqual(codecs["f.mp4"], "h264")
         self.assertEqual(self.probe("f.mp4")["pix_fmt"], "yuv420p")
         self.assertEqual(self.probe("f.mp4")["r_frame_rate"], "10/1")
+
+    def test_loops_hold_their_last_frame(self):
+        self.expect(0, "run", self.scene(FLYING), "-o", "f.mp4", "-o", "f.gif", "--fps", "10", *SMALL)
+        self.assertEqual(self.probe("f.mp4")["nb_read_frames"], "11")
+        seconds = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0",
+                                  self.path("f.gif")], capture_output=True, text=True, check=True).stdout
+        self.assertAlmostEqual(float(seconds), 2.1, delta=0.15)
+
+    def test_a_gif_takes_its_own_rate_with_a_note(self):
+        done = self.expect(0, "run", self.scene(FLYING), "-o", "f.gif", "--until", "0.2", "--hold", "0", *SMALL)
+        self.assertIn("50 frames", done.stderr)
+        self.assertEqual(self.probe("f.gif")["nb_read_frames"], "11")
+
+    def test_a_film_needs_a_height(self):
+        self.assertIn("--size", self.expect(2, "run", self.scene(FLYING), "-o", "f.mp4", "--size", "320xauto").stderr)
 
     def test_odd_sizes_are_padded(self):
         self.expect(0, "run", self.scene(FLYING), "-o", "f.mp4", "--until", "0.2", "--fps", "10", "--size", "161x91")

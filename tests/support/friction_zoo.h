@@ -31,7 +31,6 @@ struct FrictionOptions {
 class FrictionBuilder {
  public:
   explicit FrictionBuilder(const FrictionOptions& options);
-  static constexpr int ground = -1;
   int add_body(double x, double y, double width, double height);
   /// At (x, y), pushing `on` along (nx, ny) away from `from`; the tangent is the normal turned left.
   void add_contact(int on, int from, double x, double y, double nx, double ny);
@@ -42,7 +41,6 @@ class FrictionBuilder {
 
  private:
   void add_row(int on, int from, double x, double y, double nx, double ny);
-  double next_mass();
 
   FrictionOptions options_;
   Dice dice_, departure_;

@@ -43,6 +43,35 @@ void add_support(int body, double left, double right, Snapshot& snapshot) {
   }
 }
 
+/// `body` rests on `other`, below the middle of `body` shifted by `aside`, with a face so wide.
+void add_joint(
+    int body, int other, double aside, double width, const Vec2& force, Snapshot& snapshot) {
+  const SnapshotBox& box = snapshot.boxes[static_cast<std::size_t>(body)];
+  SnapshotJoint joint;
+  joint.body = body;
+  joint.other = other;
+  const Vec2 middle(box.center.x() + aside, box.center.y() - 0.5);
+  joint.from = middle + Vec2(0.5 * width, 0.0);
+  joint.to = middle - Vec2(0.5 * width, 0.0);
+  joint.point = middle + Vec2(0.1 * width, 0.0);
+  joint.force = force;
+  joint.unique = width == 1.0;
+  snapshot.joints.push_back(joint);
+}
+
+void add_joints(Snapshot& snapshot) {
+  const int floor = static_cast<int>(snapshot.boxes.size());
+  add_joint(0, floor, 0.0, 1.0, Vec2(6.0, 15.0), snapshot);
+  add_joint(1, floor, 0.0, 1.0, Vec2(0.0, 20.0), snapshot);
+  add_joint(2, floor, 0.0, 1.0, Vec2(-6.0, 15.0), snapshot);
+  add_joint(3, 0, -0.25, 0.5, Vec2(0.0, 5.0), snapshot);
+  add_joint(3, 1, 0.25, 0.5, Vec2(0.0, 9.0), snapshot);
+  add_joint(4, 1, -0.25, 0.5, Vec2(0.0, 9.0), snapshot);
+  add_joint(4, 2, 0.25, 0.5, Vec2(0.0, 5.0), snapshot);
+  add_joint(5, 3, -0.25, 0.5, Vec2(0.0, 4.9), snapshot);
+  add_joint(5, 4, 0.25, 0.5, Vec2(0.0, 4.9), snapshot);
+}
+
 }  // namespace
 
 Snapshot pyramid_snapshot() {
@@ -50,6 +79,8 @@ Snapshot pyramid_snapshot() {
   snapshot.time = 1.25;
   snapshot.title = "Drei Würfel auf dreien";
   snapshot.energy = 153.27;
+  snapshot.energy_start = 171.02;
+  snapshot.gravity = Vec2(0.0, -9.81);
   snapshot.planes.push_back({"floor", Vec2(0.0, 0.0), Vec2::UnitY()});
   snapshot.planes.push_back({"slope", Vec2(5.0, 0.0), Vec2(-0.6, 0.8)});
   snapshot.boxes = {cube("a", -2.0, 0.5, 0.0, 0),  cube("b", -1.0, 0.5, 0.0, 1),
@@ -59,6 +90,11 @@ Snapshot pyramid_snapshot() {
   snapshot.boxes[6].velocity = Vec2(0.5, -2.0);
   snapshot.boxes[7].velocity = Vec2(-1.0, -1.0);
   snapshot.boxes[7].color = {{0x7B, 0x4B, 0x94}};
+  for (SnapshotBox& box : snapshot.boxes)
+    box.mass = 1.0;
+  snapshot.boxes[6].acceleration = Vec2(1.0, -8.0);
+  snapshot.boxes[6].angular_acceleration = 6.0;
+  snapshot.boxes[7].acceleration = snapshot.gravity;
   SnapshotBox shelf = cube("shelf", -3.75, 2.0, -0.125, 0);
   shelf.fixed = true;
   shelf.size = Vec2(1.5, 0.25);
@@ -71,6 +107,8 @@ Snapshot pyramid_snapshot() {
   add_support(5, 4.9, 4.9, snapshot);
   snapshot.forces.push_back({Vec2(-2.5, 0.0), Vec2(6.0, 0.0), ForceKind::friction, 0});
   snapshot.forces.push_back({Vec2(0.5, 0.0), Vec2(-6.0, 0.0), ForceKind::friction, 2});
+  add_joints(snapshot);
+  snapshot.impacts = {{Vec2(1.2, 1.8), 3.0, 0.0}, {Vec2(0.5, 0.0), 1.0, 0.5}};
   for (const SnapshotBox& box : snapshot.boxes) {
     if (!box.fixed) add_points_and_rods(box, 3.0 + box.center.x() - 2.0 * box.center.y(), snapshot);
   }
@@ -101,10 +139,11 @@ Snapshot two_cubes_snapshot() {
 FrameOptions literal_options(Layers layers) {
   FrameOptions options;
   options.layers = layers;
-  options.force_scale = {0.125, 1.25, 0.01};
+  options.force_scale = {0.04, 0.8, 0.3};
   options.metres_per_speed = 0.5;
+  options.metres_per_acceleration = 0.05;
   options.full_rod_force = 5.0;
-  options.legend = {ForceKind::contact, ForceKind::friction};
+  options.legend = {LegendEntry::contact, LegendEntry::friction, LegendEntry::several};
   return options;
 }
 

@@ -11,19 +11,24 @@
 #include <vector>
 
 #include "core/qp/quadratic_program.h"
+#include "core/scene/counter_random.h"
 
 namespace wuerfel::test {
 
-/// A small generator with the same numbers everywhere (splitmix64, S. Vigna).
+/// A small generator with the same numbers everywhere.
 class Dice {
  public:
-  explicit Dice(std::uint64_t seed) : state_(seed) {}
-  double uniform(double low, double high);
-  int below(int count);
+  explicit Dice(std::uint64_t seed) : seed_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * random_unit(seed_, count_++);
+  }
+  int below(int count) {
+    return static_cast<int>(random_bits(seed_, count_++) % static_cast<std::uint64_t>(count));
+  }
 
  private:
-  std::uint64_t next();
-  std::uint64_t state_;
+  std::uint64_t seed_;
+  std::uint64_t count_ = 0;
 };
 
 enum class Masses { equal, random_to_1e6, alternating_1e6 };

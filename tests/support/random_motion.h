@@ -5,28 +5,23 @@
 #include <cstdint>
 
 #include "core/geometry/vec2.h"
+#include "core/scene/counter_random.h"
 
 namespace wuerfel::test {
 
-/// Numbers in [-1, 1), the same on every machine (SplitMix64: Steele, Lea, Flood 2014).
+/// Numbers in [-1, 1), the same on every machine.
 class RandomNumbers {
  public:
-  explicit RandomNumbers(std::uint64_t seed) : state_(seed) {}
-  double next() {
-    state_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    z ^= z >> 31;
-    return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
-  }
+  explicit RandomNumbers(std::uint64_t seed) : seed_(seed) {}
+  double next() { return 2.0 * random_unit(seed_, count_++) - 1.0; }
   Vec2 next_vec2() {
     const double x = next();
     return {x, next()};
   }
 
  private:
-  std::uint64_t state_;
+  std::uint64_t seed_;
+  std::uint64_t count_ = 0;
 };
 
 /// p(t) = c_0 + c_1 t + c_2 t^2 + c_3 t^3, so that v(0) = c_1 and a(0) = 2 c_2.

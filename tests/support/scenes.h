@@ -1,4 +1,4 @@
-/// Scenes that tests put together from cubes.
+/// Scenes that tests put together from cubes, and scenes posed.
 #pragma once
 
 #include <fstream>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/system.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel::test {
@@ -32,6 +33,15 @@ inline SceneCube sized_cube(const std::string& name,
   return c;
 }
 
+/// A fixed box.
+inline SceneFixed post(const std::string& name, const Vec2& position, const Vec2& size) {
+  SceneFixed f;
+  f.name = name;
+  f.position = position;
+  f.size = size;
+  return f;
+}
+
 /// On a floor at height 0.
 inline Scene on_floor(std::vector<SceneCube> cubes) {
   Scene scene;
@@ -55,6 +65,14 @@ inline std::vector<SceneCube> leaning_tower(int count, double lean) {
     cubes.push_back(cube("c" + std::to_string(i), {lean * i, 0.5 + i}));
   return cubes;
 }
+
+/// A scene at its start.
+struct Mechanism {
+  explicit Mechanism(const Scene& scene)
+      : system(make_system(scene)), state(initial_state(scene)) {}
+  System system;
+  State state;
+};
 
 /// A scene of assets/scenes by its name.
 inline Scene shipped_scene(const std::string& name,

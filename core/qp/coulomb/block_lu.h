@@ -1,7 +1,6 @@
 /// Sparse factors K = L D U of non-symmetric matrices of 3x3 blocks with a symmetric pattern: what
 /// BlockCholesky is for K = I + G' D G, for contacts that slip. No pivoting beyond the 3x3 blocks;
-/// what that loses is for iterative refinement to find. [Davis 2006] T. A. Davis, Direct methods for
-/// sparse linear systems, SIAM, ch. 4, 6.
+/// what that loses is for iterative refinement to find. [Davis 2006, ch. 4, 6]
 #pragma once
 
 #include <vector>

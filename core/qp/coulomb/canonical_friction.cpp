@@ -218,7 +218,7 @@ void CanonicalFriction::find(const FrictionProgram& friction,
   form_.apply_transposed(l_.data(), s_.data());
   result.misfit = nearest(std::vector<Pair>(l_.size(), Pair{}));
   result.multiplier = multiplier;
-  result.unique.assign(friction.contacts.size(), false);
+  result.unique.assign(form_.count(), false);
   if (result.misfit > good_balance) return;
   form_.read(l_, result.multiplier);
   if (with_unique) mark_unique(result, std::vector<Pair>(l_));

@@ -8,7 +8,7 @@
 /// slips, and zero of one that opens. (Not the least norm of the multipliers of two rows J_n +- mu
 /// J_t, which weighs tangential forces by 1 / mu.) Proximal iteration s_k+1 = s_k + s - G' l, with
 /// l = P_K(G z) at the minimum of 1/2 |z|^2 / rho + 1/2 |P_K(G z)|^2 - s_k' z by semismooth Newton
-/// steps. [Rockafellar 1976] as in NewtonMethod.
+/// steps. [Rockafellar 1976b], as in NewtonMethod.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,8 @@ namespace wuerfel {
 
 struct CanonicalForces {
   std::vector<double> multiplier;  ///< m
-  std::vector<bool> unique;        ///< one per contact: no other force is possible there
+  /// One per contact, then one per row of no contact: no other force is possible there.
+  std::vector<bool> unique;
   double misfit = 0.0;  ///< |s - G' l| / |s|; above 1e-8 the given multipliers are returned
 };
 

@@ -53,6 +53,8 @@ class CoulombSolver {
  public:
   explicit CoulombSolver(const CoulombSettings& settings = {});
   ~CoulombSolver();
+  CoulombSolver(const CoulombSolver&) = delete;
+  CoulombSolver& operator=(const CoulombSolver&) = delete;
 
   /// Solves into `result`, whose vectors are reused. `keys` name the contacts from call to call, one
   /// each and no two alike; without keys the modes are remembered if there are as many contacts and

@@ -1,4 +1,4 @@
-/// Numbers that are the same everywhere. [Vigna 2015] S. Vigna, splitmix64.
+/// Numbers that are the same everywhere. [Steele, Lea, Flood 2014]
 #pragma once
 
 #include <cstdint>

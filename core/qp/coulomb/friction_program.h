@@ -4,11 +4,10 @@
 ///     0 <= lambda_n  perp  u_n = J_n x - b_n >= 0,
 ///     |lambda_t| <= mu lambda_n,   lambda_t = -mu lambda_n sign(u_t)  where  u_t = J_t x - b_t != 0
 ///
-/// for every contact, beside equalities (rods) and inequalities without friction. [Anitescu, Potra
-/// 1997] M. Anitescu, F. A. Potra, Formulating dynamic multi-rigid-body contact problems with
-/// friction as solvable linear complementarity problems, Nonlinear Dynamics 14: a solution exists
-/// for every mu where x = f + .. can satisfy J_n x >= b_n, J_t x = b_t (at rest: x = 0). It need not
-/// be unique, nor is it the minimum of anything. Nothing here knows of cubes.
+/// for every contact, beside equalities (rods) and inequalities without friction. A solution exists
+/// for every mu where x = f + .. can satisfy J_n x >= b_n, J_t x = b_t (at rest: x = 0)
+/// [Anitescu, Potra 1997]. It need not be unique, nor is it the minimum of anything. Nothing here
+/// knows of cubes.
 #pragma once
 
 #include <vector>

@@ -1,12 +1,9 @@
-/// Semismooth Newton from known modes. [Alart, Curnier 1991] P. Alart, A. Curnier, A mixed
-/// formulation for frictional contact problems prone to Newton like solution methods, Comput.
-/// Methods Appl. Mech. Engrg. 92; here with one modes' linear piece per step and the proximal
-/// compliance of ModeSystem. One factorisation where the modes are right; it need not end from wrong
-/// ones.
+/// Semismooth Newton from known modes [Alart, Curnier 1991], here with one modes' linear piece per
+/// step and the proximal compliance of ModeSystem. One factorisation where the modes are right; it
+/// need not end from wrong ones.
 ///
 /// Compliance counts from the same forces until modes are confirmed, and then from those found there:
-/// proximal steps [Rockafellar 1976] R. T. Rockafellar, Monotone operators and the proximal point
-/// algorithm, SIAM J. Control Optim. 14. Wrong modes of redundant contacts press with what their rows
+/// proximal steps [Rockafellar 1976a]. Wrong modes of redundant contacts press with what their rows
 /// miss over the compliance, so that a large one holds better and a small one ends sooner: it begins
 /// with the first and shrinks where proximal steps are slow.
 #pragma once

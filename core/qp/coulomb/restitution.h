@@ -4,8 +4,7 @@
 ///
 /// Newton's law per contact: u_n+ >= -e u_n- where the contact closes (u_n- < 0), u_n+ >= 0 where it
 /// does not. With several contacts, or friction, this can raise the energy, or have no solution at
-/// all; then all e are scaled back together. [Glocker 2013] C. Glocker, Energetic consistency
-/// conditions for standard impacts I, II, Multibody System Dynamics 29, 32. With all e = 0 the energy
+/// all; then all e are scaled back together. [Glocker 2013] With all e = 0 the energy
 /// never rises: it falls by at least half the square of the jump.
 #pragma once
 

@@ -1,7 +1,5 @@
-/// The referee: Ipopt, an independent interior point method that thousands of others have tested.
-///
-/// A. Waechter, L. T. Biegler, On the implementation of a primal-dual interior point filter line
-/// search algorithm for large-scale nonlinear programming, Mathematical Programming 106 (2006).
+/// The referee: Ipopt, an independent interior point method that thousands of others have tested
+/// [Waechter, Biegler 2006].
 #pragma once
 
 #include <memory>

@@ -1,8 +1,8 @@
 /// The short way to a solution where the tight rows are nearly known: solve with them as
 /// equalities, let go of rows that pull, take hold of rows that are violated, and accept only what
-/// passes the optimality test. A primal-dual active set method (Hintermüller, Ito, Kunisch, SIAM J.
-/// Optim. 13 (2002) 865) that gives up early: what it cannot do in a few rounds is left to a
-/// solver.
+/// passes the optimality test. A primal-dual active set method
+/// [Hintermüller, Ito, Kunisch 2002] that gives up early: what it cannot do in a few rounds is left
+/// to a solver.
 #pragma once
 
 #include <vector>

@@ -44,7 +44,7 @@ void add_push(const QuadraticProgram& p, int row, double factor, double* x) {
 
 }  // namespace
 
-/// Reverse Cuthill-McKee order of the rows (George and Liu, chapter 4): neighbours, which share a
+/// Reverse Cuthill-McKee order of the rows [George, Liu 1981, ch. 4]: neighbours, which share a
 /// block, get numbers close to each other. `rows_of_block` and the order are in numbers of `row_`.
 void EqualitySolver::find_order(const std::vector<std::vector<int>>& rows_of_block) {
   std::vector<int> degree(row_.size(), 0);

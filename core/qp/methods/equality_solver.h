@@ -10,7 +10,7 @@
 namespace wuerfel {
 
 /// Solves J M^-1 J' lambda = b - J f by a Cholesky factorisation within the envelope of the matrix
-/// (George and Liu, "Computer Solution of Large Sparse Positive Definite Systems", 1981). A row
+/// [George, Liu 1981]. A row
 /// that depends on the rows before it is left out: its multiplier stays, and it holds by itself
 /// where the rows are consistent. Keeps its memory and, while the same rows couple the same blocks,
 /// the envelope.

@@ -1,9 +1,7 @@
-/// Primal-dual interior point method with Mehrotra's predictor and corrector and a proximal term on
-/// the multipliers.
+/// Primal-dual interior point method with Mehrotra's predictor and corrector [Mehrotra 1992] and a
+/// proximal term on the multipliers [Pougkakiotis, Gondzio 2021].
 ///
-/// S. Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optimization
-/// 2 (1992); S. Pougkakiotis, J. Gondzio, An interior point-proximal method of multipliers for
-/// convex quadratic programming, Comput. Optim. Appl. 78 (2021). With distances p, q >= 0 from the
+/// With distances p, q >= 0 from the
 /// two ends of a row's range,
 ///
 ///     G y - p + q = h,   p (lambda - force_min) = mu,   q (force_max - lambda) = mu,

@@ -4,9 +4,8 @@
 ///
 /// is solved by lambda = clamp(origin + G z) for the z that minimises the piecewise quadratic dual
 /// sum_i psi_i(<g_i, z>) - <target, z>, psi_i' = clamp: semismooth Newton steps with
-/// K = I + rho G_A' G_A, A the rows inside of their ranges, and an exact line search (Li, Sun, Toh,
-/// "A highly efficient semismooth Newton augmented Lagrangian method for solving Lasso problems",
-/// SIAM J. Optim. 28 (2018), for this kind of dual). While A stays a step is one back-solve, that is,
+/// K = I + rho G_A' G_A, A the rows inside of their ranges, and an exact line search, as
+/// [Li, Sun, Toh 2018] for this kind of dual. While A stays a step is one back-solve, that is,
 /// iterative refinement. G z is updated by differences: what a body's forces leave of its balance falls
 /// to rounding of these forces, however much larger those on other bodies are.
 #pragma once

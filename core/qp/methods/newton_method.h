@@ -1,8 +1,7 @@
-/// Proximal augmented Lagrangian with semismooth Newton steps.
+/// Proximal augmented Lagrangian [Rockafellar 1976b] with semismooth Newton steps
+/// [Li, Sun, Toh 2018].
 ///
-/// R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in
-/// convex programming, Math. of Operations Research 1 (1976); D. Sun, K.-C. Toh et al. for its
-/// pairing with semismooth Newton. For multipliers lambda the piecewise quadratic
+/// For multipliers lambda the piecewise quadratic
 ///
 ///     phi(y) = 1/2 |y|^2 + 1/(2 rho) |clamp(lambda + rho (h - G y))|^2,  linear beyond the bounds,
 ///

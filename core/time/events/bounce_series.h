@@ -1,5 +1,5 @@
 /// Bouncing, and rocking, come to rest in finite time by impacts without end: intervals between them
-/// fall like a geometric series, whose sum says when.
+/// fall like a geometric series, whose sum says when [Brogliato 1999, ch. 5].
 #pragma once
 
 #include <map>

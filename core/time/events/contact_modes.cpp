@@ -224,6 +224,7 @@ bool would_open(const State& state, std::span<const Touch> closed, double most, 
   std::vector<Island> islands;
   find_islands(*work.system, contacts, islands);
   return std::ranges::any_of(islands, [&](const Island& island) {
+    if (island.contacts.empty()) return false;
     const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
     return std::ranges::max(accelerations(island, state, use, work).slacks) > most;
   });
@@ -233,6 +234,7 @@ bool would_let_go(const State& state, const ContactSet& closed, double most, Wor
   std::vector<Island> islands;
   find_islands(*work.system, closed.contacts, closed.touches, islands);
   return std::ranges::any_of(islands, [&](const Island& island) {
+    if (island.contacts.empty()) return false;
     const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
     const IslandSolution solution = accelerations(island, state, use, work);
     if (std::ranges::max(solution.slacks) > most) return true;

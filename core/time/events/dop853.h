@@ -1,6 +1,6 @@
 /// The embedded Runge-Kutta method of order 8 with error estimates of orders 5 and 3 and dense
-/// output of order 7: DOP853 of Dormand and Prince (Hairer, Norsett, Wanner, "Solving Ordinary
-/// Differential Equations I", 2nd ed., section II.10).
+/// output of order 7: DOP853 of Dormand and Prince
+/// [Hairer, Norsett, Wanner 1993, II.10].
 #pragma once
 
 #include <array>

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
@@ -67,6 +69,12 @@ void note_instant(const Instant& now, Bookkeeping& book) {
   }
 }
 
+void note_rods(const System& system, const State& state, Bookkeeping& book) {
+  if (system.rods.empty()) return;
+  double& worst = book.audit.max_rod_error;
+  worst = std::max(worst, largest_rod_error(system, state));
+}
+
 /// Books a step: `forced` where there were events without end at one instant.
 void note_step(const SmoothStep& step, bool forced, Bookkeeping& book) {
   ++book.cost.steps;
@@ -127,6 +135,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   if (forced) phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
   if (event) reach(*event);
   note_step(step, forced, book);
+  note_rods(*system_, step.end, book);
   pieces.push_back(last_piece());
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
   clock_ += step.elapsed;
@@ -221,13 +230,18 @@ MotionPiece EventMotion::last_piece() const {
           step.motion,
           phase_.equations().contacts(),
           {},
-          phase_.equations().touches()};
+          phase_.equations().touches(),
+          system_->rods.empty() ? std::vector<char>{} : modes_.resting};
 }
 
 /// The phase that the last step ends, its contacts as they are there.
 FormerPhase EventMotion::ended_phase() const {
   FormerPhase ended{modes_, true};
+  std::vector<Box> boxes;
+  pose_boxes(*system_, phase_.last().end, boxes);
   ended.modes.closed.contacts = phase_.equations().contacts();
+  for (Contact& c : ended.modes.closed.contacts)
+    c = at_poses(*system_, boxes, c);
   return ended;
 }
 
@@ -235,8 +249,8 @@ State EventMotion::look(const MotionPiece& piece, double t) {
   State state = piece.start;
   if (t <= piece.begin) return state;
   look_at(piece.motion, (t - piece.begin) / piece.length, state);
-  if (!piece.closed.empty()) {
-    looker_.close(piece.closed, {}, piece.touches);
+  if (!piece.closed.empty() || !system_->rods.empty()) {
+    looker_.close(piece.closed, piece.resting, piece.touches);
     project_places(looker_, state);
     project_velocities(looker_, state);
   }

@@ -53,8 +53,10 @@ void GeometricEvents::watch_closed(const ContactSet& closed) {
       add(Kind::to_start, next_corner(corner));
       continue;
     }
-    add(Kind::gap, next_corner(corner));
-    add(Kind::gap, previous_corner(corner));
+    if (system_->body(touch.on).kind != BodyKind::point) {
+      add(Kind::gap, next_corner(corner));
+      add(Kind::gap, previous_corner(corner));
+    }
     add(Kind::to_start, corner);
     add(Kind::to_end, corner);
   }
@@ -70,7 +72,8 @@ void GeometricEvents::watch_planes(const ContactSet& closed) {
   for (int p = box_count(*system_); p < system_->count(); ++p) {
     for (int i = 0; i < system_->cubes; ++i) {
       if (view_.is_still(i)) continue;
-      for (int k = 0; k < Box::corners; ++k) {
+      const int corners = system_->body(i).kind == BodyKind::point ? 1 : Box::corners;
+      for (int k = 0; k < corners; ++k) {
         if (!std::ranges::binary_search(on_planes, ContactId{i, p, k, 0}))
           functions_.push_back({Kind::gap, i, p, k, plane_side});
       }

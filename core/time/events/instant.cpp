@@ -1,8 +1,10 @@
 #include "core/time/events/instant.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/dynamics/impact.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/time/events/contact_changes.h"
 #include "core/time/events/corrections.h"
 
@@ -58,9 +60,41 @@ void add_impacts(const System& system,
   }
 }
 
+/// What the first rod of a cube joins it to: a body, or, where that is a place of the world, the rod.
+const std::string& joined_to(const System& system, const Island& island, int cube) {
+  for (const int number : island.rods) {
+    const Rod& rod = system.rods[number];
+    if (rod.i.body == cube) return end_name(system, rod, rod.j);
+    if (rod.j.body == cube) return end_name(system, rod, rod.i);
+  }
+  return system.body(cube).name;
+}
+
+/// Events of rods whose velocities had to jump.
+void add_jerks(const System& system,
+               const Island& island,
+               const State& before,
+               const Impact& hit,
+               double t,
+               Instant& now) {
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    const Rod& rod = system.rods[island.rods[k]];
+    if (!jerks(system, before, rod)) continue;
+    now.events.push_back({t, EventKind::impact, end_name(system, rod, rod.i),
+                          end_name(system, rod, rod.j), held_place(rod.i, before).p,
+                          std::abs(hit.after.rods[k])});
+  }
+}
+
 void add_rest(const System& system, const Island& island, int cube, double t, Instant& now) {
   const auto touching = std::ranges::find_if(
       island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
+  if (touching == island.contacts.end()) {
+    const Vec2 place = now.state[cube].position;
+    const std::string other = joined_to(system, island, cube);
+    now.events.push_back({t, EventKind::rest, system.body(cube).name, other, place, 0.0});
+    return;
+  }
   const int other = touching->on == cube ? touching->from : touching->on;
   now.events.push_back(
       {t, EventKind::rest, system.body(cube).name, system.body(other).name, touching->point, 0.0});
@@ -118,6 +152,7 @@ void happen_to(const Island& island,
     const Impact hit = special ? impact(system, now.state, island, slow, work.friction)
                                : impact(system, now.state, island, work.dynamics);
     work.solves.add(hit.after);
+    add_jerks(system, island, now.state, hit, t, now);
     set_velocities(island, hit.after.twists, now.state);
     add_impacts(system, island, hit, t, EventKind::impact, now);
   }

@@ -29,6 +29,7 @@ struct MotionPiece {
   std::vector<Contact> closed;
   std::shared_ptr<const StepRecord> record;  ///< of a stepped piece
   std::vector<Touch> touches{};              ///< of a smooth piece, closed
+  std::vector<char> resting{};               ///< of a smooth piece, per cube, where there are rods
 };
 
 /// State at a share of a step, not yet projected. `state` must have the right number of cubes.

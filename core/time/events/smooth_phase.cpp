@@ -7,7 +7,7 @@
 namespace wuerfel {
 namespace {
 
-/// Growth and shrinking of steps (Hairer, Norsett, Wanner, section II.4).
+/// Growth and shrinking of steps [Hairer, Norsett, Wanner 1993, II.4].
 constexpr double safety = 0.9;
 constexpr double most_growth = 6.0;
 constexpr double most_shrinking = 0.2;

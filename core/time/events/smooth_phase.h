@@ -1,7 +1,7 @@
-/// A smooth phase: motion while the same contacts stay closed. Their sides are equalities (7), so
-/// that accelerations follow from one linear system; DOP853 integrates them with error control
+/// A smooth phase: motion while the same contacts stay closed. Their sides and the rods are equalities,
+/// (7) and (1), so that accelerations follow from one linear system; DOP853 integrates them with error control
 /// [Hairer, Norsett, Wanner 1993], and after every step positions and velocities are put on the
-/// contacts again. Without contacts it is a parabola of any length.
+/// contacts and rods again. Without them it is a parabola of any length.
 #pragma once
 
 #include <vector>
@@ -57,6 +57,8 @@ class EquationsOfMotion {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Whether the closed contacts depend on one another, so that their loads are not the only ones.
   [[nodiscard]] bool redundant() const { return contacts_.redundant(); }
+  /// Whether nothing holds any cube: neither a contact nor a rod.
+  [[nodiscard]] bool free() const { return contacts_.none(); }
 
  private:
   ClosedContacts contacts_;
@@ -106,7 +108,7 @@ class SmoothPhase {
   /// Puts a state on the closed contacts.
   void project(State& state) { equations_.project(state); }
   [[nodiscard]] bool redundant() const { return equations_.redundant(); }
-  [[nodiscard]] bool free() const { return parabolas_ && equations_.contacts().empty(); }
+  [[nodiscard]] bool free() const { return parabolas_ && equations_.free(); }
 
  private:
   void evaluate(const std::vector<double>& y, std::vector<double>& rate);

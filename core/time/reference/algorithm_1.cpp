@@ -44,7 +44,8 @@ void Algorithm1::integrate(GridPoint& point, double dt) const {
     if (point.resting[i] != 0) continue;
     BodyState& s = point.state[i];
     const Twist& a = point.accelerations[i];
-    if (formulation_ == Formulation::rigid) {
+    const bool is_point = system_->bodies[i].kind == BodyKind::point;
+    if (formulation_ == Formulation::rigid || is_point) {
       euler_step(s.position, s.velocity, a.linear, dt, as_printed_);
       euler_step(s.angle, s.spin, a.angular, dt, as_printed_);
       continue;

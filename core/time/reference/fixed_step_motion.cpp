@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/constraints/rod.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
 #include "core/time/policy.h"
 
@@ -65,10 +66,13 @@ const State& FixedStepMotion::state() {
 
 void FixedStepMotion::note_rods() {
   for (std::size_t i = 0; i < grid_.state.size(); ++i) {
+    if (system_->bodies[i].kind == BodyKind::point) continue;
     const Vec2& size = system_->bodies[i].size;
     const double error = largest_rod_error(points_of(grid_.state[i], size), size);
     book_.audit.max_rod_error = std::max(book_.audit.max_rod_error, error);
   }
+  book_.audit.max_rod_error =
+      std::max(book_.audit.max_rod_error, largest_rod_error(*system_, grid_.state));
 }
 
 }  // namespace wuerfel

@@ -5,9 +5,6 @@
 namespace wuerfel {
 namespace {
 
-/// Gaps are corrected to this share of the smaller side: well inside touching_tolerance, well above
-/// rounding.
-constexpr double corrected_gap = 1e-11;
 /// Rounds of corrections: sides stay closed in the first ones; where that does not settle, only
 /// overlap is removed.
 constexpr int closing_corrections = 12;
@@ -55,8 +52,8 @@ Projection LengthCorrection::place(State state, std::vector<Contact> closed) {
     if (so_far.rounds >= closing_corrections) closed.clear();
     return restricted(so_far.state, closed);
   };
-  const ProjectionPolicy policy{.overlap = corrected_gap,
-                                .gap = corrected_gap,
+  const ProjectionPolicy policy{.overlap = closed_gap,
+                                .gap = closed_gap,
                                 .rounds = most_corrections,
                                 .contradiction = Contradiction::open};
   return project_places(*system_, std::move(state), policy, find, dynamics_);

@@ -10,10 +10,8 @@
 namespace wuerfel {
 namespace {
 
-// Shares of the smaller side of a pair.
-constexpr double closable_share = 1e-4;   ///< gaps that may be closed
-constexpr double closed_overlap = 1e-11;  ///< gaps and overlap afterwards
-
+/// Gaps of up to this share of the smaller side may be closed.
+constexpr double closable_share = 1e-4;
 constexpr int closings = 3;
 
 /// The contacts as they are at a state, near ones of them.
@@ -37,10 +35,10 @@ bool fits(const System& system,
           ContactFinder& finder) {
   std::vector<Contact> overlapping;
   finder.find(system, state, overlapping, 0.0);
-  if (finder.deepest().depth > closed_overlap * finder.deepest().scale) return false;
+  if (finder.deepest().depth > closed_gap * finder.deepest().scale) return false;
   return std::ranges::all_of(contacts, [&](const Contact& c) {
     return std::abs(at_poses(system, finder.boxes(), c).gap)
-           <= closed_overlap * contact_scale(system, c);
+           <= closed_gap * contact_scale(system, c);
   });
 }
 

@@ -43,9 +43,8 @@ void NearContacts::find(const State& end,
   contacts.clear();
   bounds_.clear();
   for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
-    const auto extent = [&](const Box& box) {
-      return Vec2(box.extent() + Vec2::Constant(reach * box.smaller_side()));
-    };
+    const double margin = reach * system_->body(i).smaller_side();
+    const auto extent = [&](const Box& box) { return Vec2(box.extent() + Vec2::Constant(margin)); };
     const Box& a = start_[i];
     const Box& b = end_[i];
     bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
@@ -54,8 +53,8 @@ void NearContacts::find(const State& end,
   const double fall = gravity_ * step_ * step_;
   for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
     const auto [i, j] = pair;
-    if (!system_->is_cube(i)) continue;
-    const double scale = std::min(start_[i].smaller_side(), start_[j].smaller_side());
+    if (!system_->is_cube(i) || !system_->may_touch(i, j)) continue;
+    const double scale = std::min(system_->body(i).smaller_side(), system_->body(j).smaller_side());
     const FacingSide side =
         separating_side(*system_, {start_, drift_, end_}, slow_share * fall, i, j);
     if (side.separation >= reach * scale) continue;
@@ -85,8 +84,8 @@ void NearContacts::add_corners(int cube,
                                const std::vector<Box>& measured,
                                std::vector<Contact>& contacts) const {
   const Body& solid = system_->body(plane);
-  const double near = reach * start_[cube].smaller_side();
-  for (int k = 0; k < 4; ++k) {
+  const double near = reach * system_->body(cube).smaller_side();
+  for (int k = 0; k < start_[cube].corner_count(); ++k) {
     const auto gap = [&](const Box& box) {
       return solid.normal.dot((box.center - solid.point) + box.arm[k]);
     };

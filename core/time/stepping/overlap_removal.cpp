@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/rod_rows.h"
+
 namespace wuerfel {
 namespace {
 
@@ -16,10 +18,9 @@ constexpr double square_of_fall = 1e-2;
 
 constexpr int most_rounds = 8;
 /// A clean-up looks at pairs nearer to each other than so many times the deepest overlap, but no
-/// nearer and no farther apart than these shares of the smaller side.
+/// nearer than this share of the smaller side, and no farther apart than near_share.
 constexpr double pushed_times = 20.0;
 constexpr double nearest_share = 1e-7;
-constexpr double farthest_share = 1e-2;
 /// Displacements beyond this share of the smallest side, and beyond so many times the overlap, are
 /// no clean-up any more.
 constexpr double displaced_share = 1e-2;
@@ -71,21 +72,32 @@ double OverlapRemoval::measure(const State& state) {
 std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
   std::vector<Contact> contacts;
   std::vector<Island> islands;
-  near_.find_at(state, std::clamp(pushed_times * left_, nearest_share, farthest_share), contacts);
+  near_.find_at(state, std::clamp(pushed_times * left_, nearest_share, near_share), contacts);
   find_islands(*system_, contacts, islands);
   std::vector<Restricted> parts;
   for (Island& island : islands) {
-    if (!overlaps(*system_, island, overlap_share)) continue;
+    if (!overlaps(*system_, island, overlap_share) && keeps_lengths(state, island.rods)) continue;
     parts.push_back(apart(std::move(island)));
     parts.back().farthest = std::max(displaced_share, displaced_times * left_) * scales_.length;
   }
   return parts;
 }
 
+bool OverlapRemoval::keeps_lengths(const State& state, std::span<const int> rods) const {
+  return std::ranges::all_of(
+      rods, [&](int rod) { return has_length(*system_, state, system_->rods[rod]); });
+}
+
+bool OverlapRemoval::keeps_lengths(const State& state) const {
+  return std::ranges::all_of(system_->rods,
+                             [&](const Rod& rod) { return has_length(*system_, state, rod); });
+}
+
 std::vector<Contact> OverlapRemoval::clean_up(State& state, Bookkeeping& book) {
   const auto find = [&](const Projection& so_far) {
     left_ = measure(so_far.state);
-    return left_ > overlap_share ? pushed_apart(so_far.state) : std::vector<Restricted>{};
+    const bool fits = left_ <= overlap_share && keeps_lengths(so_far.state);
+    return fits ? std::vector<Restricted>{} : pushed_apart(so_far.state);
   };
   const ProjectionPolicy policy{.overlap = overlap_share, .rounds = most_rounds};
   Projection clean = project_places(*system_, std::move(state), policy, find, work_->dynamics);
@@ -113,7 +125,7 @@ void OverlapRemoval::retreat(State& state) {
     left_ = measure(state);
     if (left_ <= overlap_share) return;
     const std::vector<char> overlaps = overlapping_cubes();
-    near_.find_at(state, farthest_share, contacts);
+    near_.find_at(state, near_share, contacts);
     find_islands(*system_, contacts, islands);
     const double share = k < most_halvings ? 0.5 : 0.0;
     for (const Island& island : islands) {

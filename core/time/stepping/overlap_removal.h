@@ -1,6 +1,7 @@
 /// Keeps cubes apart within a step: what does not fit is moved by the least that makes it fit.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/dynamics/projection.h"
@@ -13,6 +14,10 @@ namespace wuerfel {
 
 /// Overlap that steps may leave, as a share of the smaller side of a pair.
 inline constexpr double overlap_share = 2e-10;
+
+/// Pairs that come nearer to each other than this share of the smaller side may be pushed into each
+/// other within a step.
+inline constexpr double near_share = 1e-2;
 
 /// How exactly the programs of a step are solved: it is as exact as its length allows, not as its
 /// programs are. Steps of Newton's method only have to get out of the overlap.
@@ -30,7 +35,7 @@ class OverlapRemoval {
 
   /// An island whose contacts may not overlap, with what is kept open of their gaps.
   [[nodiscard]] Restricted apart(Island island) const;
-  /// To the nearest place without overlap; each pair is kept apart by the side that did so longest on
+  /// To the nearest place without overlap where rods have their lengths; each pair is kept apart by the side that did so longest on
   /// the way from the start. Returns the contacts that pushed. Judged by the overlap that is left in
   /// the end, not by the residuals of its programs.
   std::vector<Contact> clean_up(State& state, Bookkeeping& book);
@@ -46,6 +51,8 @@ class OverlapRemoval {
   double measure(const State& state);
   [[nodiscard]] double margin(const Contact& c, double overlap) const;
   [[nodiscard]] std::vector<Restricted> pushed_apart(const State& state);
+  [[nodiscard]] bool keeps_lengths(const State& state, std::span<const int> rods) const;
+  [[nodiscard]] bool keeps_lengths(const State& state) const;
   [[nodiscard]] std::vector<char> overlapping_cubes() const;
 
   const System* system_;

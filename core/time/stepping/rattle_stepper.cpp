@@ -7,6 +7,7 @@
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_rows.h"
 #include "core/time/stepping/close_gaps.h"
 #include "core/time/stepping/step_books.h"
 
@@ -14,9 +15,9 @@ namespace wuerfel {
 namespace {
 
 // Shares of the smaller side of a pair.
-constexpr double near_share = 1e-2;     ///< pairs that come nearer may be pushed into each other
-constexpr double pressed_share = 1e-3;  ///< those that were pressed do within this distance
+constexpr double pressed_share = 1e-3;  ///< contacts that were pressed take part in the velocity program up to here
 constexpr double bent_share = 1e-11;    ///< what sides may miss after the first placement
+constexpr int most_bends = 4;           ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
@@ -48,6 +49,8 @@ double RattleStepper::longest_step(const State& state) const {
     thinnest = std::min(thinnest, body.smaller_side());
     if (system_->is_cube(i)) fastest = std::max(fastest, fastest_corner(body, state[i]));
   }
+  if (system_->cubes == system_->points)
+    thinnest = std::min(thinnest, scales_of(*system_, state).length);
   // h (v + g h) = thinnest / 2, both bodies of a pair moving.
   const double g = system_->gravity.norm();
   const double reach = 0.25 * thinnest;
@@ -59,6 +62,8 @@ Step RattleStepper::step(const State& state, double t, double h) {
   Step step;
   step.book.cost.steps = 1;
   stride_ = {h, scales_of(*system_, state), state, state, {}, {}};
+  stride_.rods_first.assign(system_->rods.size(), 0.0);
+  stride_.rods_second.assign(system_->rods.size(), 0.0);
   removal_.begin(state, h);
   place(step);
   flown_ = step.state;
@@ -74,6 +79,7 @@ Step RattleStepper::stop_short(Step tried, double t) {
   step.state = std::move(tried.state);
   for (auto& [id, blow] : stride_.blows)
     blow.second.setZero();
+  std::ranges::fill(stride_.rods_second, 0.0);
   removal_.retreat(step.state);
   arrive(step, t);
   return step;
@@ -134,6 +140,11 @@ void RattleStepper::fly_half(const Island& island, const IslandSolution& solutio
     if (solution.forces[k] > least)
       push(*system_, c, impulse_at(c, solution, k) / stride_.h, stride_.half);
   }
+  for (std::size_t k = 0; k < island.rods.size(); ++k) {
+    double& impulse = stride_.rods_first[island.rods[k]];
+    impulse = solution.rods[k] / stride_.h;
+    push(*system_, system_->rods[island.rods[k]], impulse, stride_.start, stride_.half);
+  }
   for (const int cube : island.cubes) {
     state[cube].position = stride_.start[cube].position + stride_.h * stride_.half[cube].velocity;
     state[cube].angle = stride_.start[cube].angle + stride_.h * stride_.half[cube].spin;
@@ -150,10 +161,11 @@ void RattleStepper::note_pressed(const Island& island, const IslandSolution& sol
 }
 
 void RattleStepper::place_island(const Island& island, Step& step) {
-  // Where free flight touches nothing there is nothing to solve.
-  const bool free = std::ranges::none_of(island.contacts, [&](const Contact& c) {
-    return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
-  });
+  // Where free flight touches nothing and no rod holds there is nothing to solve.
+  const bool free =
+      island.rods.empty() && std::ranges::none_of(island.contacts, [&](const Contact& c) {
+        return at_poses(*system_, removal_.near().end_boxes(), c).gap < 0.0;
+      });
   if (free) {
     ++step.book.cost.skipped_certificate;
     return;
@@ -179,6 +191,18 @@ void RattleStepper::place_island(const Island& island, Step& step) {
   }
 }
 
+/// Rods of an island measured where the cubes have come; whether they miss their lengths there.
+bool RattleStepper::bend_rods(const State& end, Island& bent) const {
+  bool missed = false;
+  for (const int number : bent.rods) {
+    const Rod& rod = system_->rods[number];
+    const double way = rod_excess(rod, stride_.start) + rod_change(rod, stride_.start, way_.moved);
+    bent.bends.push_back(rod_excess(rod, end) - way);
+    missed = missed || !has_length(*system_, end, rod);
+  }
+  return missed;
+}
+
 /// Takes the way of an island's cubes over.
 void RattleStepper::follow(const Island& island, const State& state) {
   for (const int cube : island.cubes) {
@@ -199,7 +223,7 @@ void RattleStepper::bend(const Island& island,
   follow(island, step.state);
   const bool rubbing = rubs(*system_, island);
   Island bent = island;
-  bool missed = false;
+  bool missed = bend_rods(step.state, bent);
   for (std::size_t k = 0; k < bent.contacts.size(); ++k) {
     Contact& c = bent.contacts[k];
     const Contact now = at_poses(*system_, way_.boxes, c);
@@ -208,7 +232,7 @@ void RattleStepper::bend(const Island& island,
     const double slip =
         rubbing ? slip_of(*system_, c, now) - slip_rate(*system_, way_.moved, c) : 0.0;
     missed = missed
-             || (std::max(std::abs(gap), std::abs(slip)) > bent_share * contact_scale(*system_, c)
+             || (std::max(std::abs(gap), std::abs(slip)) > closed_gap * contact_scale(*system_, c)
                  && (straight.forces[k] > 0.0 || now.gap < 0.0));
     c.gap += gap;
     c.slip += slip;
@@ -217,10 +241,26 @@ void RattleStepper::bend(const Island& island,
     note_pressed(island, straight);
     return;
   }
-  const IslandSolution solution = apart(bent, targets, step);
-  const bool found = solution.status == QpStatus::optimal || solution.friction_inexact;
-  if (found) fly_half(island, solution, step.state);
-  note_pressed(island, found ? solution : straight);
+  IslandSolution placed = straight;
+  // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
+  for (int k = 0; k < most_bends && (k == 0 || bend_more(step.state, bent)); ++k) {
+    IslandSolution solution = apart(bent, targets, step);
+    if (solution.status != QpStatus::optimal && !solution.friction_inexact) break;
+    fly_half(island, solution, step.state);
+    placed = std::move(solution);
+  }
+  note_pressed(island, placed);
+}
+
+/// What rods of a bent island still miss where the cubes have come; whether any does.
+bool RattleStepper::bend_more(const State& end, Island& bent) const {
+  bool missed = false;
+  for (std::size_t k = 0; k < bent.rods.size(); ++k) {
+    const Rod& rod = system_->rods[bent.rods[k]];
+    bent.bends[k] += rod_excess(rod, end);
+    missed = missed || !has_length(*system_, end, rod);
+  }
+  return missed;
 }
 
 /// Velocities and books at the end of the way.
@@ -230,6 +270,8 @@ void RattleStepper::arrive(Step& step, double t) {
     step.state[i].spin = stride_.half[i].spin;
   }
   step.overlap = removal_.left();
+  if (!system_->rods.empty())
+    step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
   find_touching(step);
   keep_turning(*system_, cleaned_, flown_, step.state);
   if (system_->bounces) strike_anew(step);
@@ -330,6 +372,10 @@ void RattleStepper::hit(Step& step) {
       const Vec2 impulse = impulse_at(c, after, k);
       push(*system_, c, impulse, step.state);
       stride_.blows.at(c.id()).second = impulse;
+    }
+    for (std::size_t k = 0; k < island.rods.size(); ++k) {
+      stride_.rods_second[island.rods[k]] = after.rods[k];
+      push(*system_, system_->rods[island.rods[k]], after.rods[k], stride_.before, step.state);
     }
   }
 }

@@ -66,6 +66,8 @@ class RattleStepper {
   void place(Step& step);
   void follow(const Island& island, const State& state);
   void place_island(const Island& island, Step& step);
+  bool bend_more(const State& end, Island& bent) const;
+  [[nodiscard]] bool bend_rods(const State& end, Island& bent) const;
   void bend(const Island& island,
             const std::vector<Twist>& targets,
             const IslandSolution& straight,

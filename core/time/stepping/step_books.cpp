@@ -4,6 +4,7 @@
 
 #include "core/constraints/islands.h"
 #include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
 namespace {
@@ -57,8 +58,13 @@ std::vector<StepComponent> components_of(const System& system, const Stride& str
   std::vector<Island> islands;
   find_islands(system, acting, islands);
   std::vector<StepComponent> components;
-  for (Island& island : islands)
+  for (Island& island : islands) {
+    const bool held =
+        std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
     components.push_back({std::move(island.cubes), {}, {}});
+    // A rod to a fixed place keeps nothing of the motion as it is.
+    if (held) components.back().fixed_normals = {Vec2::UnitX(), Vec2::UnitY()};
+  }
   const std::vector<int> component = component_of(components, stride.start.size());
   for (const auto& [id, blow] : stride.blows) {
     const Contact& c = blow.end;
@@ -93,6 +99,17 @@ Work work_of(const System& system, const Stride& stride, const Blow& blow, const
   add(blow.start, blow.first, stride.start, stride.half, -0.25 * stride.h * system.gravity);
   add(blow.end, blow.second, stride.before, end, Vec2::Zero());
   return sum;
+}
+
+/// The same of a rod. It would do none if its direction did not change within a step.
+double work_of(const System& system, const Stride& stride, int number, const State& end) {
+  const Rod& rod = system.rods[number];
+  const double sign = (rod.i.body >= 0 ? 1.0 : 0.0) - (rod.j.body >= 0 ? 1.0 : 0.0);
+  const double fall =
+      -0.25 * stride.h * sign * rod_direction(rod, stride.start).dot(system.gravity);
+  const double first = 0.5 * (rod_rate(rod, stride.start) + rod_rate(rod, stride.half)) + fall;
+  const double second = 0.5 * (rod_rate(rod, stride.before) + rod_rate(rod, end));
+  return stride.rods_first[number] * first + stride.rods_second[number] * second;
 }
 
 /// Whether the contact is closed at the start and does not close: its work is the sway of the method.
@@ -151,6 +168,12 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     (stays ? balances[k].lasting : balances[k].closing) += loss;
     if (!stays && loss > 0.0) record.components[k].losses.push_back({share, loss, false});
     if (struck) balances[k].last_struck = std::max(balances[k].last_struck, share);
+  }
+  // Where something is struck rods pass the blow on, and lose of it what their turning in the step takes.
+  for (int number = 0; number < std::ssize(system.rods); ++number) {
+    const Rod& rod = system.rods[number];
+    const int k = component[rod.i.body >= 0 ? rod.i.body : rod.j.body];
+    if (k >= 0) balances[k].lasting -= work_of(system, stride, number, end);
   }
   for (std::size_t k = 0; k < balances.size(); ++k) {
     std::vector<StepLoss>& losses = record.components[k].losses;

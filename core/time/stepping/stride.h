@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "core/constraints/contact.h"
 #include "core/model/scales.h"
@@ -29,6 +30,8 @@ struct Stride {
   State half;    ///< the start with the velocities between the halves
   State before;  ///< the end with the velocities before the second impulses
   std::map<ContactId, Blow> blows;
+  std::vector<double> rods_first{};   ///< N s, per rod of the system, on place i, of the first half
+  std::vector<double> rods_second{};  ///< likewise, of the second
 };
 
 /// How fast the contact closes at the start, in units of g h.

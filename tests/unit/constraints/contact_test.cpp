@@ -6,21 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "core/constraints/manifold.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
-
-SceneCube cube(const std::string& name,
-               const Vec2& position,
-               const Vec2& size = Vec2::Ones(),
-               double angle = 0.0) {
-  SceneCube c;
-  c.name = name;
-  c.position = position;
-  c.size = size;
-  c.angle = angle;
-  return c;
-}
 
 struct Found {
   std::vector<Contact> contacts;
@@ -36,14 +25,8 @@ Found find(const Scene& scene) {
   return found;
 }
 
-Scene with_floor() {
-  Scene scene;
-  scene.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY(), {}});
-  return scene;
-}
-
 TEST(Contact, ACubeOnAPlaneTouchesWithItsTwoLowerCorners) {
-  Scene scene = with_floor();
+  Scene scene = on_floor({});
   scene.cubes.push_back(cube("a", {3.0, 0.5}));
   const Found found = find(scene);
   ASSERT_EQ(found.contacts.size(), 2U);
@@ -74,7 +57,8 @@ TEST(Contact, FaceOnFaceTouchesAtTheEndsOfTheOverlap) {
 
 TEST(Contact, AlphaAndArmsSatisfyEquation5ForTurnedCubes) {
   Scene scene;
-  scene.cubes = {cube("a", {0.0, 0.0}, {2.0, 1.0}, 0.3), cube("b", Vec2::Zero(), {0.5, 0.5}, 1.1)};
+  scene.cubes = {sized_cube("a", {0.0, 0.0}, {2.0, 1.0}, 0.3),
+                 sized_cube("b", Vec2::Zero(), {0.5, 0.5}, 1.1)};
   // b stands on its corner on the upper side of a.
   const Box a = make_box(Vec2::Zero(), 0.3, {2.0, 1.0});
   const Box b = make_box(Vec2::Zero(), 1.1, {0.5, 0.5});
@@ -128,8 +112,9 @@ TEST(Contact, SidesAreFlushWhereBothCornersOfEitherTouch) {
   constexpr double turn = 2e-10;
   constexpr double depth = 1e-10;
   Scene scene;
-  scene.cubes.push_back(cube("plank", {0.0, 0.0}, {2.0, 0.2}));
-  scene.cubes.push_back(cube("high", {1.5 - 0.5 * turn, 0.6 + turn - depth}, {2.0, 1.0}, turn));
+  scene.cubes.push_back(sized_cube("plank", {0.0, 0.0}, {2.0, 0.2}));
+  scene.cubes.push_back(
+      sized_cube("high", {1.5 - 0.5 * turn, 0.6 + turn - depth}, {2.0, 1.0}, turn));
   const Found found = find(scene);
   ASSERT_EQ(found.contacts.size(), 2U);
   EXPECT_NEAR(found.contacts[0].gap, -depth, 1e-15);
@@ -139,8 +124,8 @@ TEST(Contact, SidesAreFlushWhereBothCornersOfEitherTouch) {
 TEST(Contact, CornerOnCornerTakesTheSideThatOpensFaster) {
   const double half = std::sqrt(0.5);
   Scene scene;
-  scene.cubes = {cube("a", {0.0, half}, Vec2::Ones(), 0.25 * 3.14159265358979323846),
-                 cube("b", {0.0, 3.0 * half}, Vec2::Ones(), 0.25 * 3.14159265358979323846)};
+  scene.cubes = {sized_cube("a", {0.0, half}, Vec2::Ones(), 0.25 * 3.14159265358979323846),
+                 sized_cube("b", {0.0, 3.0 * half}, Vec2::Ones(), 0.25 * 3.14159265358979323846)};
   scene.cubes[1].velocity = {1.0, 0.0};
   const Found found = find(scene);
   ASSERT_EQ(found.contacts.size(), 0U) << "parallel sides with no overlap";
@@ -166,8 +151,8 @@ TEST(Contact, CornerOnCornerTakesTheSideThatOpensFaster) {
 
 TEST(Contact, ToleranceIsRelativeToTheSmallerSide) {
   for (const double size : {1e-6, 1.0, 1e6}) {
-    Scene scene = with_floor();
-    scene.cubes.push_back(cube("a", {0.0, 0.5 * size + 0.5e-9 * size}, {size, size}));
+    Scene scene = on_floor({});
+    scene.cubes.push_back(sized_cube("a", {0.0, 0.5 * size + 0.5e-9 * size}, {size, size}));
     EXPECT_EQ(find(scene).contacts.size(), 2U) << size;
     scene.cubes[0].position.y() = 0.5 * size + 2e-9 * size;
     EXPECT_EQ(find(scene).contacts.size(), 0U) << size;
@@ -177,7 +162,7 @@ TEST(Contact, ToleranceIsRelativeToTheSmallerSide) {
 }
 
 TEST(Contact, MotionOfTheGapIsClosingRestingOrOpening) {
-  Scene scene = with_floor();
+  Scene scene = on_floor({});
   scene.cubes.push_back(cube("a", {0.0, 0.5}));
   const System system = make_system(scene);
   const Found found = find(scene);

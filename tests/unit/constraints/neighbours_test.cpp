@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/union_find.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -28,7 +28,7 @@ TEST(Neighbours, BoundsHoldTheirBoxes) {
 }
 
 TEST(Neighbours, ArePairsWithACube) {
-  Scene scene = on_ground({block("a", {0.0, 0.5}), block("b", {0.9, 1.4}), block("c", {5.0, 0.5})});
+  Scene scene = on_floor({cube("a", {0.0, 0.5}), cube("b", {0.9, 1.4}), cube("c", {5.0, 0.5})});
   scene.fixed = {post("p", {5.5, 0.0}, {1.0, 1.0}), post("q", {6.0, 0.0}, {1.0, 1.0})};
   const Mechanism m(scene);
   std::vector<Box> boxes;

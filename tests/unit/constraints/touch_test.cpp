@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/constraints/islands.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -39,9 +39,9 @@ TEST(Touch, IsFlushOnAPlaneOrAtACorner) {
   //   +------+
   //   |  low |
   // ~~~~~~~~~~~~
-  Scene scene = on_ground({block("low", {0.0, 0.5}, {2.0, 1.0}), block("up", {0.1, 1.5})});
+  Scene scene = on_floor({sized_cube("low", {0.0, 0.5}, {2.0, 1.0}), cube("up", {0.1, 1.5})});
   const Vec2 arm = make_box(Vec2::Zero(), 0.7, {0.5, 0.5}).arm[0];
-  scene.cubes.push_back(block("tip", Vec2(0.2, 2.0) - arm, {0.5, 0.5}, 0.7));
+  scene.cubes.push_back(sized_cube("tip", Vec2(0.2, 2.0) - arm, {0.5, 0.5}, 0.7));
   const Found f = find(scene);
   ASSERT_EQ(f.touches.size(), 3U);
   const Touch& flush = f.touches[0];
@@ -64,9 +64,9 @@ TEST(Touch, ContactsOfATouchAreThoseOfItsPair) {
   std::vector<SceneCube> cubes;
   for (int row = 0; row < 3; ++row) {
     for (int k = 0; k < 3; ++k)
-      cubes.push_back(block("c" + std::to_string(cubes.size()), {k + 0.5 * (row % 2), 0.5 + row}));
+      cubes.push_back(cube("c" + std::to_string(cubes.size()), {k + 0.5 * (row % 2), 0.5 + row}));
   }
-  const Found f = find(on_ground(cubes));
+  const Found f = find(on_floor(cubes));
   int next = 0;
   for (const Touch& touch : f.touches) {
     EXPECT_EQ(touch.first, next);
@@ -92,7 +92,7 @@ TEST(Touch, OverlapIsSeenFromTheSideOfTheFirstContact) {
   for (const double shift : {-0.7, -0.2, 0.0, 0.3, 1.1}) {
     for (const double width : {0.5, 1.0, 2.0}) {
       const Found f =
-          find(on_ground({block("a", {0.0, 0.5}), block("b", {shift, 1.5}, {width, 1.0})}));
+          find(on_floor({cube("a", {0.0, 0.5}), sized_cube("b", {shift, 1.5}, {width, 1.0})}));
       const Touch& touch = f.touches[0];
       if (touch.kind != Touch::Kind::flush) continue;
       const double expected =
@@ -106,7 +106,8 @@ TEST(Touch, OverlapIsSeenFromTheSideOfTheFirstContact) {
 
 TEST(Touch, ClosedFlushSidesHaveBothCornersOfTheShorterOne) {
   for (const double width : {0.5, 2.0}) {
-    const Found f = find(on_ground({block("a", {0.0, 0.5}), block("b", {0.4, 1.5}, {width, 1.0})}));
+    const Found f =
+        find(on_floor({cube("a", {0.0, 0.5}), sized_cube("b", {0.4, 1.5}, {width, 1.0})}));
     const ContactSet rows = closed_rows(f, std::vector<char>(f.contacts.size(), 1));
     ASSERT_EQ(rows.touches.size(), 2U);
     const Touch& touch = rows.touches[0];
@@ -125,7 +126,7 @@ TEST(Touch, ClosedFlushSidesHaveBothCornersOfTheShorterOne) {
 }
 
 TEST(Touch, OfWhichOneEndOpensIsOneAtACorner) {
-  const Found f = find(on_ground({block("a", {0.0, 0.5}), block("b", {0.4, 1.5})}));
+  const Found f = find(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})}));
   std::vector<char> closed(f.contacts.size(), 1);
   closed[0] = 0;
   closed[2] = 0;
@@ -142,7 +143,7 @@ TEST(Touch, OfWhichOneEndOpensIsOneAtACorner) {
 TEST(Touch, LoadsAreThoseOfTheLeverAtTheEndsOfTheOverlap) {
   //      +---b---+     sides [-0.1, 0.9] on [-0.5, 0.5]: one of the rows' corners is not above the
   //   +---a---+         other side, and its force stands for one at the end of the overlap
-  const Found f = find(on_ground({block("a", {0.0, 0.5}), block("b", {0.4, 1.5})}));
+  const Found f = find(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})}));
   const ContactSet rows = closed_rows(f, std::vector<char>(f.contacts.size(), 1));
   const Touch& touch = rows.touches[0];
   ASSERT_EQ(touch.kind, Touch::Kind::flush);
@@ -164,7 +165,7 @@ TEST(Touch, LoadsAreThoseOfTheLeverAtTheEndsOfTheOverlap) {
 }
 
 TEST(Touch, KnowsTheSurfaceOfItsPair) {
-  Scene scene = on_ground({block("a", {0.0, 0.5}), block("b", {0.4, 1.5})});
+  Scene scene = on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})});
   scene.cubes[0].material.friction = 0.4;
   scene.cubes[1].material.friction = 0.9;
   const Found f = find(scene);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 Mechanism pair_in_space() {
   Scene scene;
   scene.gravity = {0.0, -9.81};
-  scene.cubes = {block("a", {0.0, 2.0}), block("b", {1.3, 2.2})};
+  scene.cubes = {cube("a", {0.0, 2.0}), cube("b", {1.3, 2.2})};
   scene.cubes[0].velocity = {1.0, 0.5};
   scene.cubes[0].spin = 2.0;
   scene.cubes[1].velocity = {-1.5, 0.25};

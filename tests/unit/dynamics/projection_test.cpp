@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -50,7 +50,7 @@ TEST(Projection, AnOverlappingPairIsPartedByMass) {
   //   +---+|b  |
   //       +----+
   Scene scene;
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.0 - 1e-4, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0 - 1e-4, 0.0})};
   scene.cubes[1].mass = 3.0;
   Ground g(scene);
   const Projection apart = g.project({.overlap = 1e-12, .rounds = 5}, SideUse::inequality);
@@ -66,7 +66,7 @@ TEST(Projection, RoundsOfNewtonsMethodConvergeQuadratically) {
   // A corner in the ground: the cube turns as it is lifted, so that one linear step is not enough.
   const double angle = 0.3;
   const double reach = 0.5 * (std::sin(angle) + std::cos(angle));
-  Ground g(on_ground({block("a", {0.0, reach - 1e-3}, Vec2::Ones(), angle)}));
+  Ground g(on_floor({sized_cube("a", {0.0, reach - 1e-3}, Vec2::Ones(), angle)}));
   double former = 1e-3;
   for (int rounds = 1; rounds <= 2; ++rounds) {
     const Projection up =
@@ -84,7 +84,7 @@ TEST(Projection, RoundsOfNewtonsMethodConvergeQuadratically) {
 }
 
 TEST(Projection, WhatFitsIsLeftWhereItIs) {
-  Ground g(on_ground({block("a", {0.0, 0.5 - 1e-6})}));
+  Ground g(on_floor({cube("a", {0.0, 0.5 - 1e-6})}));
   const Projection kept = g.project({.overlap = 2e-6, .rounds = 3}, SideUse::inequality);
   EXPECT_FALSE(kept.moved);
   EXPECT_EQ(kept.solves.solved, 0);
@@ -92,7 +92,7 @@ TEST(Projection, WhatFitsIsLeftWhereItIs) {
 }
 
 TEST(Projection, ClosedContactsAreClosedFromBothSides) {
-  Ground g(on_ground({block("a", {0.0, 0.5 + 1e-5})}));
+  Ground g(on_floor({cube("a", {0.0, 0.5 + 1e-5})}));
   const Projection down = g.project({.gap = 1e-13, .rounds = 3}, SideUse::equality);
   EXPECT_TRUE(down.moved);
   EXPECT_TRUE(down.pushing.empty());
@@ -107,7 +107,7 @@ Scene too_narrow() {
   Scene scene;
   scene.fixed = {post("left", {-1.0 + 1e-4, 0.0}, {1.0, 3.0}),
                  post("right", {1.0 - 1e-4, 0.0}, {1.0, 3.0})};
-  scene.cubes = {block("a", {5e-5, 0.0})};
+  scene.cubes = {cube("a", {5e-5, 0.0})};
   return scene;
 }
 
@@ -125,7 +125,7 @@ TEST(Projection, ContradictionsAreTakenOrLeft) {
 }
 
 TEST(Projection, WhoHadToMoveTooFarStays) {
-  Ground g(on_ground({block("a", {0.0, 0.5 - 1e-4})}));
+  Ground g(on_floor({cube("a", {0.0, 0.5 - 1e-4})}));
   const auto find = [&](double farthest) {
     return [&g, farthest](const Projection& so_far) {
       std::vector<Restricted> parts = g.restricted(so_far.state, SideUse::inequality);
@@ -140,7 +140,7 @@ TEST(Projection, WhoHadToMoveTooFarStays) {
 }
 
 TEST(Projection, MarginsAreKeptWhereThereIsRoom) {
-  Ground free(on_ground({block("a", {0.0, 0.5 - 1e-5})}));
+  Ground free(on_floor({cube("a", {0.0, 0.5 - 1e-5})}));
   Solves unused;
   const std::vector<double> margins{1e-6, 1e-6};
   const Restricted part = free.restricted(free.m.state, SideUse::inequality, margins).at(0);
@@ -151,7 +151,7 @@ TEST(Projection, MarginsAreKeptWhereThereIsRoom) {
   // Exactly as wide as the gap, and 1e-5 too far left: no room for margins on both sides.
   Scene scene;
   scene.fixed = {post("left", {-1.0, 0.0}, {1.0, 3.0}), post("right", {1.0, 0.0}, {1.0, 3.0})};
-  scene.cubes = {block("a", {-1e-5, 0.0})};
+  scene.cubes = {cube("a", {-1e-5, 0.0})};
   Ground tight(scene);
   const Restricted between =
       tight.restricted(tight.m.state, SideUse::inequality, std::vector<double>(4, 1e-6)).at(0);
@@ -163,7 +163,7 @@ TEST(Projection, MarginsAreKeptWhereThereIsRoom) {
 }
 
 TEST(Projection, VelocitiesKeepClosedGapsAndOpenNoOther) {
-  Ground g(on_ground({block("a", {0.0, 0.5})}));
+  Ground g(on_floor({cube("a", {0.0, 0.5})}));
   g.m.state[0].velocity = {0.2, 1.0};
   g.m.state[0].spin = 0.5;
   const auto parts = g.restricted(g.m.state, SideUse::equality);
@@ -179,7 +179,7 @@ TEST(Projection, VelocitiesKeepClosedGapsAndOpenNoOther) {
 }
 
 TEST(Projection, OntoClosedContactsAloneIsTheSameByOneLinearSystem) {
-  Ground g(on_ground({block("a", {0.0, 0.5 + 1e-6}, Vec2::Ones(), 1e-6)}));
+  Ground g(on_floor({sized_cube("a", {0.0, 0.5 + 1e-6}, Vec2::Ones(), 1e-6)}));
   g.m.state[0].velocity = {0.1, -0.3};
   g.m.state[0].spin = 0.7;
   const std::vector<Restricted> parts = g.restricted(g.m.state, SideUse::equality);

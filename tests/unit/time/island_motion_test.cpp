@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/time/policy.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 Scene meeting() {
   Scene scene;
   scene.gravity = Vec2::Zero();
-  scene.cubes = {block("a", {-2.0, 0.0}), block("b", {2.0, 0.0})};
+  scene.cubes = {cube("a", {-2.0, 0.0}), cube("b", {2.0, 0.0})};
   scene.cubes[0].velocity = {1.0, 0.0};
   scene.cubes[1].velocity = {-1.0, 0.0};
   return scene;
@@ -36,7 +36,7 @@ TEST(IslandMotion, GroupsThatMeetAreJoined) {
 
 TEST(IslandMotion, WhoIsFarAwayMovesAsIfItWereAlone) {
   Scene scene = meeting();
-  SceneCube far = block("far", {100.0, 0.0});
+  SceneCube far = cube("far", {100.0, 0.0});
   far.spin = 2.0;
   far.velocity = {0.3, 0.1};
   scene.cubes.push_back(far);
@@ -68,7 +68,7 @@ TEST(IslandMotion, LookingDoesNotChangeTheMotion) {
 }
 
 TEST(Track, KnowsItsStatesUntilTheyAreForgotten) {
-  const Mechanism m(on_ground({block("a", {0.0, 3.0})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 3.0})}));
   Track track(m.system, {});
   track.start(m.state, 0.0, 1e-9, {0}, {});
   while (track.clock() < 0.5)
@@ -84,7 +84,7 @@ TEST(Track, KnowsItsStatesUntilTheyAreForgotten) {
 }
 
 TEST(Track, RestEndsTheClock) {
-  const Mechanism m(on_ground({block("a", {0.0, 0.5})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
   Track track(m.system, {});
   track.start(m.state, 0.0, 1e-9, {0}, {});
   EXPECT_TRUE(track.at_rest());
@@ -94,7 +94,7 @@ TEST(Track, RestEndsTheClock) {
 }
 
 TEST(Track, StepsAllTheTimeWhereThatIsTheChoice) {
-  const Mechanism m(on_ground({block("a", {0.0, 3.0})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 3.0})}));
   MotionSettings settings;
   settings.integrator = Integrator::rattle;
   settings.step = 0.02;

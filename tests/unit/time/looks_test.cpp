@@ -112,5 +112,24 @@ TEST(Look, StatesAreWhereTheirForcesAre) {
   EXPECT_LE(snapshot.force_residual, 1e-13);
 }
 
+TEST(Look, JointsAreTheResultantsOfTheirCorners) {
+  Simulation simulation(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.3, 1.5})}), {});
+  const Snapshot snapshot =
+      simulation.snapshot({.forces = true, .joints = true, .unique = true, .accelerations = true});
+  ASSERT_EQ(snapshot.joints.size(), 2U);
+  for (const SnapshotJoint& joint : snapshot.joints) {
+    const bool upper = joint.body == 1;
+    EXPECT_EQ(joint.other, upper ? 0 : 2) << "a, or the floor behind two boxes";
+    EXPECT_NEAR(joint.force.y(), (upper ? 1.0 : 2.0) * snapshot.boxes[0].mass * 9.81, 1e-10);
+    EXPECT_NEAR(joint.point.x(), upper ? 0.3 : 0.15, 1e-12) << "below what it carries";
+    EXPECT_NEAR((joint.to - joint.from).norm(), upper ? 0.7 : 1.0, 1e-12);
+    EXPECT_GT((joint.to - joint.from).dot(perp(joint.normal)), 0.0);
+    EXPECT_TRUE(joint.unique);
+  }
+  EXPECT_TRUE(snapshot.boxes[0].acceleration.isZero(1e-9));
+  EXPECT_EQ(snapshot.gravity.y(), -9.81);
+  EXPECT_EQ(snapshot.energy_start, snapshot.energy);
+}
+
 }  // namespace
 }  // namespace wuerfel::test

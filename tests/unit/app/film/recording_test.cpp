@@ -19,6 +19,9 @@ Snapshot moved(int step) {
   snapshot.boxes[6].center.y() -= 0.01 * step;
   snapshot.boxes[6].angle = 0.3 * step;
   snapshot.forces.resize(static_cast<std::size_t>(step % 4));
+  snapshot.joints.resize(static_cast<std::size_t>(5 + step % 4));
+  snapshot.impacts.resize(static_cast<std::size_t>(step % 3));
+  snapshot.boxes[6].acceleration.x() = step;
   return snapshot;
 }
 
@@ -33,6 +36,7 @@ void expect_equal(const Snapshot& a, const Snapshot& b) {
     EXPECT_EQ(a.boxes[i].angle, b.boxes[i].angle);
     EXPECT_EQ(a.boxes[i].velocity, b.boxes[i].velocity);
     EXPECT_EQ(a.boxes[i].spin, b.boxes[i].spin);
+    EXPECT_EQ(a.boxes[i].acceleration, b.boxes[i].acceleration);
   }
   ASSERT_EQ(a.forces.size(), b.forces.size());
   for (std::size_t i = 0; i < a.forces.size(); ++i) {
@@ -41,6 +45,8 @@ void expect_equal(const Snapshot& a, const Snapshot& b) {
     EXPECT_EQ(a.forces[i].kind, b.forces[i].kind);
     EXPECT_EQ(a.forces[i].body, b.forces[i].body);
   }
+  EXPECT_EQ(a.joints, b.joints);
+  EXPECT_EQ(a.impacts, b.impacts);
   ASSERT_EQ(a.rods.size(), b.rods.size());
   EXPECT_EQ(a.rods.back().b, b.rods.back().b);
   EXPECT_EQ(a.rods.back().tension, b.rods.back().tension);
@@ -60,7 +66,8 @@ class Recordings : public ::testing::Test {
  protected:
   Scene scene_ = parse_scene("version = 1\n[[cube]]\nname = \"a\"\nposition = [0, 10]\n", "flight");
   StopSignal stop_;
-  MotionSource source_{scene_, {}, timetable(1.0, frame_times(1.0, {.fps = 20.0}), {}), {}, stop_};
+  MotionSource source_{scene_, {},   timetable(1.0, frame_times(1.0, {.fps = 20.0}), {}), {}, {},
+                       {},     stop_};
 };
 
 TEST_F(Recordings, GiveBackEverySnapshotAsOftenAsAsked) {
@@ -79,8 +86,8 @@ TEST_F(Recordings, KnowWhatArrowsReach) {
   for (int i = 0; i < 4; ++i)
     recording.add(moved(i));
   double largest = 0.0;
-  for (const SnapshotForce& force : moved(3).forces)
-    largest = std::max(largest, force.force.norm());
+  for (const SnapshotJoint& joint : moved(3).joints)
+    largest = std::max(largest, joint.force.norm());
   EXPECT_EQ(recording.range().forces.largest(), largest);
 }
 

@@ -80,6 +80,20 @@ TEST(Bounds, IncludeCutArrowsOnlyAsFarAsTheyAreDrawn) {
   EXPECT_NEAR(bounds.max.y(), 4.5, rounding);
 }
 
+TEST(Bounds, IncludeTheTailsOfArrowsInTheGround) {
+  Snapshot snapshot;
+  snapshot.boxes.push_back(unit_box(Vec2(0.0, 0.5)));
+  snapshot.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY()});
+  SnapshotJoint joint;
+  joint.body = 0;
+  joint.other = 1;
+  joint.force = Vec2(0.0, 10.0);
+  snapshot.joints.push_back(joint);
+  Bounds bounds;
+  bounds.include(snapshot, {0.02, 5.0, 0.0});
+  EXPECT_NEAR(bounds.min.y(), -0.2, rounding);
+}
+
 TEST(Bounds, ReachTheNearGroundButNotTheFarOne) {
   Snapshot snapshot;
   snapshot.boxes.push_back(unit_box(Vec2(0.0, 1.5)));

@@ -111,6 +111,7 @@ TEST_F(Pipeline, NeitherDrawsNorCompressesAnUnchangedFrameAgain) {
 
 TEST_F(Pipeline, DrawsAgainWhenTheTimeIsShown) {
   settings.options.layers.insert(Layer::hud);
+  view = fixed_view(Vec2(0.0, 2.0), 10.0, 320, 180);
   CountingFilm film;
   FramePipeline pipeline(settings, {{}, {&film}});
   Snapshot snapshot = moved(0);

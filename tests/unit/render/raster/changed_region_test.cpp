@@ -63,7 +63,7 @@ TEST_F(InChanges, FramesOfAFilmAreAsIfDrawnAlone) {
       snapshot.boxes[6].center += Vec2(0.013, -0.02);
       snapshot.boxes[6].angle += 0.05;
       snapshot.time += 0.01;
-      if (i % 3 == 2) snapshot.forces.pop_back();
+      if (i % 3 == 2) snapshot.joints.pop_back();
       draw_and_compare(compose_frame(snapshot, view, style, options, font));
     }
   }

@@ -235,7 +235,11 @@ TEST_F(Pyramid, NothingIsDrawnOutsideTheBodies) {
 }
 
 TEST_F(Pyramid, ArrowTipsAreWhereTheForcesSay) {
-  snapshot.forces = {{Vec2(2.0, 0.5), Vec2(0.0, 8.0), ForceKind::contact, -1}};
+  SnapshotJoint joint;
+  joint.point = Vec2(2.0, 1.5);
+  joint.force = Vec2(0.0, 20.0);
+  snapshot.joints = {joint};
+  snapshot.impacts.clear();
   const Image image = drawn(view, {Layer::forces});
   const Vec2 tip = view.to_pixel(Vec2(2.0, 1.5));
   int top = image.height();

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "render/error.h"
 #include "render/files/output_file.h"
 #include "render/files/png.h"
 #include "render/picture/compose_frame.h"
@@ -95,7 +96,7 @@ TEST_F(VectorFigure, MissingArrowWouldBeSeen) {
   write("a.svg", list);
   ASSERT_EQ(
       std::system(("rsvg-convert '" + path("a.svg") + "' -o '" + path("a.png") + "'").c_str()), 0);
-  list.runs.back().count -= 3;
+  list.runs.back().count -= 15;
   EXPECT_GT(unlike_osmesa(list, read_png(path("a.png")).image), antialiasing_share);
 }
 
@@ -131,6 +132,64 @@ TEST_F(VectorFigure, TransparentThemeHasNoBackground) {
   ASSERT_EQ(
       std::system(("rsvg-convert '" + path("a.svg") + "' -o '" + path("a.png") + "'").c_str()), 0);
   EXPECT_EQ(read_png(path("a.png")).image.at(2, 2).a, 0);
+}
+
+TEST_F(VectorFigure, SvgIsAsOneWouldWriteIt) {
+  const FigureTexts texts{"Ein <Titel> & mehr",
+                          "t = 1.25 s",
+                          {{"Options", "--size 640x360"}, {"Scene", "{\"a\": \"<&>\"}\n"}},
+                          {"a", "b", "c", "d e"},
+                          84.0};
+  const auto bytes = encode_vector_figure(
+      compose(Theme::light, {Layer::cubes, Layer::forces, Layer::trails, Layer::names, Layer::hud}),
+      VectorFormat::svg, font, {}, texts);
+  const std::string svg(bytes.begin(), bytes.end());
+  const auto has = [&svg](std::string_view text) { return svg.find(text) != std::string::npos; };
+  EXPECT_TRUE(has("width=\"84mm\" height=\"47.25mm\""));
+  EXPECT_TRUE(has("<title>Ein &lt;Titel&gt; &amp; mehr</title>"));
+  EXPECT_TRUE(has(">Drei Würfel auf dreien</text>")) << "text is text";
+  EXPECT_TRUE(has("<g class=\"bodies\">"));
+  EXPECT_TRUE(has("<rect class=\"body\" id=\"body-d_e\""));
+  EXPECT_TRUE(has("<g class=\"arrows\">"));
+  std::size_t trails = 0;
+  for (std::size_t at = 0; (at = svg.find("<linearGradient", at)) != std::string::npos; ++at)
+    ++trails;
+  EXPECT_EQ(trails, 2U) << "each trail is one path";
+  EXPECT_EQ(read_origin(svg), texts.origin);
+  OutputFile file(path("b.svg"));
+  file.write(bytes);
+  file.commit();
+  EXPECT_EQ(std::system(("xmllint --noout '" + path("b.svg") + "' 2>/dev/null || rsvg-convert '"
+                         + path("b.svg") + "' -o /dev/null")
+                            .c_str()),
+            0);
+}
+
+TEST_F(VectorFigure, PdfHasATitleItsOriginAndTheWidthAskedFor) {
+  FigureTexts texts;
+  texts.title = "Drei Würfel";
+  texts.origin = {{"Options", "--size 640x360"}};
+  texts.width_mm = 84.0;
+  const auto bytes = encode_vector_figure(compose(Theme::light, default_layers), VectorFormat::pdf,
+                                          font, {}, texts);
+  OutputFile file(path("a.pdf"));
+  file.write(bytes);
+  file.commit();
+  EXPECT_EQ(
+      std::system(("pdfinfo '" + path("a.pdf") + "' | grep -q '^Title: *Drei Würfel$'").c_str()),
+      0);
+  EXPECT_EQ(
+      std::system(
+          ("pdfinfo '" + path("a.pdf") + "' | grep -q '^Keywords: .*--size 640x360'").c_str()),
+      0);
+  EXPECT_EQ(std::system(("pdfinfo '" + path("a.pdf") + "' | grep -q '^Page size: *238.1'").c_str()),
+            0);
+}
+
+TEST_F(VectorFigure, DamagedOriginIsAnError) {
+  EXPECT_TRUE(read_origin("<svg></svg>").empty());
+  EXPECT_THROW(read_origin("<text xmlns=\"urn:wuerfel:origin\" key=\"Scene\">cut off"),
+               RenderError);
 }
 
 TEST_F(VectorFigure, InsetsAreCutOffAtTheirBorders) {

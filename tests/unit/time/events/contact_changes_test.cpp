@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/time/events/bounce_series.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -36,7 +36,7 @@ ContactModes nothing() {
 System shelf() {
   Scene scene;
   scene.fixed = {post("shelf", {0.0, -0.5}, {4.0, 1.0})};
-  scene.cubes = {block("a", {0.0, 0.5})};
+  scene.cubes = {cube("a", {0.0, 0.5})};
   return make_system(scene);
 }
 

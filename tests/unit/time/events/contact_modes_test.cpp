@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -50,7 +50,7 @@ TEST(ContactModes, ABlockBeyondTheEdgeTipsAboutIt) {
   //   | table   | x = 0
   Scene scene;
   scene.fixed.push_back(post("table", {-1.0, -0.5}, {2.0, 1.0}));
-  scene.cubes = {block("a", {0.2, 0.5}, {2.0, 1.0})};
+  scene.cubes = {sized_cube("a", {0.2, 0.5}, {2.0, 1.0})};
   const Modes found = modes_of(Mechanism(scene));
   EXPECT_FALSE(found.rests);
   EXPECT_FALSE(found.closed_at({-0.8, 0.0}));
@@ -60,7 +60,7 @@ TEST(ContactModes, ABlockBeyondTheEdgeTipsAboutIt) {
 TEST(ContactModes, ABlockWithItsCentreOverTheEdgeStands) {
   Scene scene;
   scene.fixed.push_back(post("table", {-1.0, -0.5}, {2.0, 1.0}));
-  scene.cubes = {block("a", {0.0, 0.5}, {2.0, 1.0})};
+  scene.cubes = {sized_cube("a", {0.0, 0.5}, {2.0, 1.0})};
   const Modes found = modes_of(Mechanism(scene));
   EXPECT_TRUE(found.rests);
   EXPECT_EQ(found.closed(), 2);
@@ -73,7 +73,7 @@ TEST(ContactModes, ARiderWhoseCentrePassesTheEdgeBeginsToTip) {
   //   | table |
   Scene scene;
   scene.fixed.push_back(post("table", {-1.0, -0.5}, {2.0, 1.0}));
-  scene.cubes = {block("a", {0.0, 0.5})};
+  scene.cubes = {cube("a", {0.0, 0.5})};
   Mechanism m(scene);
   for (const double speed : {0.1, 1.0}) {
     m.state[0].velocity.x() = speed;
@@ -91,7 +91,7 @@ TEST(ContactModes, ABeamOnTwoPostsStandsAndOneWithItsCentreOutsideTips) {
   //     |p|         |q|
   Scene scene;
   scene.fixed = {post("p", {-1.0, -0.5}, {0.2, 1.0}), post("q", {1.0, -0.5}, {0.2, 1.0})};
-  scene.cubes = {block("beam", {0.0, 0.1}, {3.0, 0.2})};
+  scene.cubes = {sized_cube("beam", {0.0, 0.1}, {3.0, 0.2})};
   const Modes stands = modes_of(Mechanism(scene));
   EXPECT_TRUE(stands.rests);
   EXPECT_EQ(stands.closed(), 4);
@@ -116,7 +116,7 @@ Mechanism ladder(double angle, double start) {
   scene.planes.push_back({"wall", Vec2::Zero(), Vec2::UnitX(), {}});
   const Vec2 up(std::sin(angle), std::cos(angle));
   const Vec2 middle(0.5 * length * std::cos(angle), 0.5 * length * std::sin(angle));
-  scene.cubes = {block("ladder", middle + 0.5 * width * up, {length, width}, -angle)};
+  scene.cubes = {sized_cube("ladder", middle + 0.5 * width * up, {length, width}, -angle)};
   Mechanism m(scene);
   const Body& body = m.system.body(0);
   const double inertia = body.inertia + 0.25 * body.mass * length * length;
@@ -149,21 +149,21 @@ std::vector<SceneCube> bricks(int rows) {
   for (int row = 0; row < rows; ++row) {
     for (int k = 0; k < 3 - row % 2; ++k) {
       const double x = 2.0 * k + 1.0 * (row % 2);
-      cubes.push_back(block("b" + std::to_string(cubes.size()), {x, 0.5 + row}, {2.0, 1.0}));
+      cubes.push_back(sized_cube("b" + std::to_string(cubes.size()), {x, 0.5 + row}, {2.0, 1.0}));
     }
   }
   return cubes;
 }
 
 TEST(ContactModes, ARedundantWallStandsWithAllItsContacts) {
-  const Modes found = modes_of(Mechanism(on_ground(bricks(3))));
+  const Modes found = modes_of(Mechanism(on_floor(bricks(3))));
   EXPECT_TRUE(found.rests);
   EXPECT_EQ(found.closed(), static_cast<int>(found.island.contacts.size()));
   EXPECT_FALSE(found.modes.wedged);
 }
 
 TEST(ContactModes, NoGapOfARedundantWallWouldOpen) {
-  const Mechanism m(on_ground(bricks(3)));
+  const Mechanism m(on_floor(bricks(3)));
   Workspace work(m.system, {});
   std::vector<Contact> contacts;
   work.finder.find(m.system, m.state, contacts);
@@ -173,8 +173,8 @@ TEST(ContactModes, NoGapOfARedundantWallWouldOpen) {
 
 TEST(ContactModes, AGapOfAWallWithAHeavyOverhangWouldOpen) {
   std::vector<SceneCube> cubes = bricks(2);
-  cubes.push_back(block("over", {-1.2, 2.5}, {3.0, 1.0}));
-  const Mechanism m(on_ground(cubes));
+  cubes.push_back(sized_cube("over", {-1.2, 2.5}, {3.0, 1.0}));
+  const Mechanism m(on_floor(cubes));
   Workspace work(m.system, {});
   std::vector<Contact> contacts;
   work.finder.find(m.system, m.state, contacts);
@@ -182,7 +182,7 @@ TEST(ContactModes, AGapOfAWallWithAHeavyOverhangWouldOpen) {
 }
 
 TEST(ContactModes, AfterAnImpactWhatOpensSlowlyUnderLoadIsClosed) {
-  Mechanism m(on_ground({block("a", {0.0, 0.5})}));
+  Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
   m.state[0].spin = 1e-7;
   m.state[0].velocity = {0.0, 0.5e-7};
   EXPECT_EQ(modes_of(m, true).closed(), 2) << "the right end would rise by 1e-15 m and come back";
@@ -192,7 +192,7 @@ TEST(ContactModes, AfterAnImpactWhatOpensSlowlyUnderLoadIsClosed) {
 }
 
 TEST(ContactModes, WhatMovesDoesNotRest) {
-  Mechanism m(on_ground({block("a", {0.0, 0.5})}));
+  Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
   m.state[0].velocity.x() = 1e-6;
   EXPECT_FALSE(modes_of(m).rests);
   m.state[0].velocity.x() = 1e-10;

@@ -7,7 +7,7 @@
 
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -46,7 +46,7 @@ class Fall {
 
 TEST(EventMotion, EventsComeInTheOrderOfTheirTimes) {
   //   a: 3 m above the floor, b: 1 m, c: 2 m, side by side
-  Scene scene = on_ground({block("a", {0.0, 3.5}), block("b", {2.0, 1.5}), block("c", {4.0, 2.5})});
+  Scene scene = on_floor({cube("a", {0.0, 3.5}), cube("b", {2.0, 1.5}), cube("c", {4.0, 2.5})});
   Fall run(scene);
   run.until(1.0);
   const auto hits = run.events(EventKind::impact);
@@ -60,14 +60,14 @@ TEST(EventMotion, EventsComeInTheOrderOfTheirTimes) {
 }
 
 TEST(EventMotion, SimultaneousEventsAreOne) {
-  Fall run(on_ground({block("a", {0.0, 1.5}), block("b", {2.0, 1.5})}));
+  Fall run(on_floor({cube("a", {0.0, 1.5}), cube("b", {2.0, 1.5})}));
   run.until(1.0);
   EXPECT_EQ(run.motion().events(), 1);
   EXPECT_EQ(run.events(EventKind::impact).size(), 4U);
 }
 
 TEST(EventMotion, AFallingTurningCubeMeetsTheFloorWhereTheParabolaSays) {
-  Scene scene = on_ground({block("a", {0.0, 3.0})});
+  Scene scene = on_floor({cube("a", {0.0, 3.0})});
   scene.cubes[0].spin = 5.0;
   Fall run(scene);
   run.until(0.9);
@@ -79,7 +79,7 @@ TEST(EventMotion, AFallingTurningCubeMeetsTheFloorWhereTheParabolaSays) {
 }
 
 TEST(EventMotion, WhatRestsIsKnownForEver) {
-  Fall run(on_ground({block("a", {0.0, 0.5}), block("b", {0.2, 1.5}), block("c", {0.0, 2.5})}));
+  Fall run(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.2, 1.5}), cube("c", {0.0, 2.5})}));
   EXPECT_TRUE(run.motion().at_rest());
   run.until(1e9);
   EXPECT_EQ(run.book().cost.steps, 0);
@@ -119,7 +119,8 @@ struct OverItsCorner {
   }
   [[nodiscard]] Scene scene(double phi) const {
     // The corner below the centre is number 0 where the cube is turned by pi/4 from lying flat.
-    Scene s = on_ground({block("a", {0.0, r * std::cos(phi)}, Vec2::Ones(), phi + 0.25 * M_PI)});
+    Scene s =
+        on_floor({sized_cube("a", {0.0, r * std::cos(phi)}, Vec2::Ones(), phi + 0.25 * M_PI)});
     s.cubes[0].spin = omega(phi);
     s.cubes[0].velocity = {0.0, -r * omega(phi) * std::sin(phi)};
     return s;
@@ -164,7 +165,7 @@ TEST(EventMotion, ABlockSlidesOffATableAndTips) {
   // | table  |
   Scene scene;
   scene.fixed.push_back(post("table", {-2.0, -0.5}, {4.0, 1.0}));
-  scene.cubes = {block("a", {-0.4, 0.5})};
+  scene.cubes = {cube("a", {-0.4, 0.5})};
   scene.cubes[0].velocity = {1.0, 0.0};
   Fall run(scene);
   run.until(0.45);
@@ -181,7 +182,7 @@ TEST(EventMotion, ASeamIsTouchedWhereItBeginsToBear) {
   // |   p   |  q  |
   Scene scene;
   scene.fixed = {post("p", {-1.0, -0.5}, {2.0, 1.0}), post("q", {1.0, -0.5}, {2.0, 1.0})};
-  scene.cubes = {block("a", {-1.0, 0.5})};
+  scene.cubes = {cube("a", {-1.0, 0.5})};
   scene.cubes[0].velocity = {1.0, 0.0};
   for (const double look : {0.9, 1.2, 0.51}) {
     Fall run(scene);
@@ -202,8 +203,8 @@ TEST(EventMotion, WhatTouchedAlreadyIsNoTouch) {
   for (const double d : {5.5, 50.5}) {
     Scene scene;
     scene.gravity = Vec2::Zero();
-    scene.cubes = {block("A", {0.0, 0.0}), block("B", {3.0, 0.0}), block("C", {4.0, 0.0}),
-                   block("D", {d, 0.0})};
+    scene.cubes = {cube("A", {0.0, 0.0}), cube("B", {3.0, 0.0}), cube("C", {4.0, 0.0}),
+                   cube("D", {d, 0.0})};
     scene.cubes[0].velocity = {2.0, 0.0};
     scene.cubes[2].mass = 3.0;
     Simulation simulation(scene, {});

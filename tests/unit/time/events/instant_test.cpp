@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/time/events/corrections.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -26,7 +26,7 @@ TEST(Instant, TwoCubesThatMeetSquarelyGoOnTogether) {
   //   +---+  +---+
   Scene scene;
   scene.gravity = Vec2::Zero();
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.0, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0, 0.0})};
   scene.cubes[0].velocity = {1.0, 0.0};
   scene.cubes[1].mass = 3.0;
   const Mechanism m(scene);
@@ -50,7 +50,7 @@ TEST(Instant, TwoCubesThatMeetSquarelyGoOnTogether) {
 TEST(Instant, ThreeCubesInARowShareTheMomentumAtOnce) {
   Scene scene;
   scene.gravity = Vec2::Zero();
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.0, 0.0}), block("c", {2.0, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0, 0.0}), cube("c", {2.0, 0.0})};
   scene.cubes[0].velocity = {2.0, 0.0};
   scene.cubes[2].mass = 3.0;
   const Instant now = at_start(Mechanism(scene));
@@ -61,10 +61,10 @@ TEST(Instant, ThreeCubesInARowShareTheMomentumAtOnce) {
 TEST(Instant, ACubeThatLandsOnItsCornerTurns) {
   // A corner below and right of the centre by r = (x, -y): v+ = 0 there, impulse p up:
   // p = v / (1/m + x^2 / I).
-  Scene scene = on_ground({});
+  Scene scene = on_floor({});
   const double angle = 0.3;
   const Vec2 arm = make_box(Vec2::Zero(), angle, Vec2::Ones()).arm[0];
-  scene.cubes = {block("a", {0.0, -arm.y()}, Vec2::Ones(), angle)};
+  scene.cubes = {sized_cube("a", {0.0, -arm.y()}, Vec2::Ones(), angle)};
   scene.cubes[0].velocity = {0.0, -2.0};
   const Instant now = at_start(Mechanism(scene));
   const double impulse = 2.0 / (1.0 + 6.0 * arm.x() * arm.x());
@@ -75,7 +75,7 @@ TEST(Instant, ACubeThatLandsOnItsCornerTurns) {
 }
 
 TEST(Instant, WhatLandsFlatRests) {
-  Scene scene = on_ground({block("a", {0.0, 0.5})});
+  Scene scene = on_floor({cube("a", {0.0, 0.5})});
   scene.cubes[0].velocity = {0.0, -1.0};
   const Instant now = at_start(Mechanism(scene), 0.3);
   EXPECT_EQ(now.modes.resting[0], 1);
@@ -85,7 +85,7 @@ TEST(Instant, WhatLandsFlatRests) {
 }
 
 TEST(Instant, WhatRestsAlreadyIsSkipped) {
-  const Mechanism m(on_ground({block("a", {0.0, 0.5}), block("b", {0.1, 1.5})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.1, 1.5})}));
   Workspace work(m.system, {});
   FormerPhase before;
   before.modes.resting = {1, 1};
@@ -96,7 +96,7 @@ TEST(Instant, WhatRestsAlreadyIsSkipped) {
 }
 
 TEST(Instant, WhatTouchesNothingFalls) {
-  const Mechanism m(on_ground({block("a", {0.0, 2.0})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 2.0})}));
   const Instant now = at_start(m);
   EXPECT_EQ(now.skipped_free, 1);
   EXPECT_EQ(now.modes.resting[0], 0);
@@ -104,7 +104,7 @@ TEST(Instant, WhatTouchesNothingFalls) {
 
 TEST(Corrections, AnOverlapIsDividedByMass) {
   Scene scene;
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.0 - 1e-9, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0 - 1e-9, 0.0})};
   scene.cubes[1].mass = 3.0;
   const Mechanism m(scene);
   Workspace work(m.system, {});
@@ -124,8 +124,7 @@ TEST(Corrections, WhatIsPushedIntoAnotherBodyTakesItAlong) {
   //   | a || b | | c |    within 1e-10: without c, b would be pushed into it.
   //   +---++---+ +---+
   Scene scene;
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.0 - 5e-9, 0.0}),
-                 block("c", {2.0 - 4e-9, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0 - 5e-9, 0.0}), cube("c", {2.0 - 4e-9, 0.0})};
   scene.cubes[0].mass = 1000.0;
   const Mechanism m(scene);
   Workspace work(m.system, {});
@@ -142,7 +141,7 @@ TEST(Corrections, WhatIsPushedIntoAnotherBodyTakesItAlong) {
 }
 
 TEST(Corrections, NothingIsMovedThatFits) {
-  const Mechanism m(on_ground({block("a", {0.0, 0.5})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
   Workspace work(m.system, {});
   std::vector<Contact> contacts;
   std::vector<Island> islands;
@@ -157,7 +156,7 @@ TEST(Corrections, NothingIsMovedThatFits) {
 }
 
 TEST(Corrections, AClosedContactIsClosedAndTheOtherKeptOpen) {
-  Mechanism m(on_ground({block("a", {0.0, 0.5 + 5e-11})}));
+  Mechanism m(on_floor({cube("a", {0.0, 0.5 + 5e-11})}));
   m.state[0].velocity.y() = 1e-6;
   Workspace work(m.system, {});
   std::vector<Contact> contacts;

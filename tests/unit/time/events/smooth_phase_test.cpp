@@ -10,7 +10,7 @@
 #include "core/time/events/force_events.h"
 #include "core/time/events/geometric_events.h"
 #include "core/time/events/instant.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -33,7 +33,7 @@ struct Begun {
 };
 
 Scene thrown() {
-  Scene scene = on_ground({block("a", {0.0, 3.5})});
+  Scene scene = on_floor({cube("a", {0.0, 3.5})});
   scene.cubes[0].velocity = {1.0, 2.0};
   return scene;
 }
@@ -56,7 +56,7 @@ Scene slide() {
   Scene scene;
   const Vec2 normal(0.6, 0.8);
   scene.planes.push_back({"slope", Vec2::Zero(), normal, {}});
-  scene.cubes = {block("a", 0.5 * normal, Vec2::Ones(), std::atan2(-0.6, 0.8))};
+  scene.cubes = {sized_cube("a", 0.5 * normal, Vec2::Ones(), std::atan2(-0.6, 0.8))};
   return scene;
 }
 
@@ -119,7 +119,7 @@ TEST(ForceEvents, ABlockOverAnEdgeLetsGoOfTheCornerThatItTipsAwayFrom) {
   //  ######
   Scene scene;
   scene.fixed = {post("shelf", {-2.0, -0.5}, {4.0, 1.0})};
-  scene.cubes = {block("a", {-0.3, 0.5})};
+  scene.cubes = {cube("a", {-0.3, 0.5})};
   scene.cubes[0].velocity = {1.0, 0.0};
   Begun b(scene);
   ASSERT_EQ(b.phase.loads().size(), 2U);

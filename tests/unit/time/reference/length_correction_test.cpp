@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/time/reference/fixed_step_motion.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -17,7 +17,7 @@ std::vector<Contact> contacts_of(const Mechanism& m, double near) {
 }
 
 TEST(LengthCorrection, ClosesWhatWasPressedAndStopsItsGap) {
-  Mechanism m(on_ground({block("a", {0.0, 0.5 + 1e-4})}));
+  Mechanism m(on_floor({cube("a", {0.0, 0.5 + 1e-4})}));
   m.state[0].velocity = {0.5, 0.2};
   LengthCorrection correction(m.system, {});
   Bookkeeping book;
@@ -30,7 +30,7 @@ TEST(LengthCorrection, ClosesWhatWasPressedAndStopsItsGap) {
 }
 
 TEST(LengthCorrection, WhatWasNotPressedMayStayOpen) {
-  const Mechanism m(on_ground({block("a", {0.0, 0.5 + 1e-4})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 0.5 + 1e-4})}));
   LengthCorrection correction(m.system, {});
   Bookkeeping book;
   State state = m.state;
@@ -40,7 +40,7 @@ TEST(LengthCorrection, WhatWasNotPressedMayStayOpen) {
 }
 
 TEST(LengthCorrection, WhatIsPushedOutOfAnOverlapEndsClosed) {
-  const Mechanism m(on_ground({block("a", {0.0, 0.69}, Vec2::Ones(), 0.6)}));
+  const Mechanism m(on_floor({sized_cube("a", {0.0, 0.69}, Vec2::Ones(), 0.6)}));
   LengthCorrection correction(m.system, {});
   Bookkeeping book;
   State state = m.state;
@@ -53,7 +53,7 @@ TEST(LengthCorrection, WhatIsPushedOutOfAnOverlapEndsClosed) {
 }
 
 TEST(FixedStepMotion, LooksBetweenGridTimesAreStepsAside) {
-  const Mechanism m(on_ground({block("a", {0.0, 1.2}, Vec2::Ones(), 0.2)}));
+  const Mechanism m(on_floor({sized_cube("a", {0.0, 1.2}, Vec2::Ones(), 0.2)}));
   MotionSettings settings;
   settings.integrator = Integrator::symplectic;
   settings.step = 0.01;
@@ -71,7 +71,7 @@ TEST(FixedStepMotion, LooksBetweenGridTimesAreStepsAside) {
 }
 
 TEST(FixedStepMotion, BetweenGridTimesTheFallGoesOn) {
-  const Mechanism m(on_ground({block("a", {0.0, 9.0})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 9.0})}));
   MotionSettings settings;
   settings.integrator = Integrator::symplectic;
   settings.step = 0.125;

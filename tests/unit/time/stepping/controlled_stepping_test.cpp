@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "core/time/stepping/step_look.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
 
 Scene flying() {
   Scene scene;
-  scene.cubes = {block("a", {0.0, 50.0})};
+  scene.cubes = {cube("a", {0.0, 50.0})};
   scene.cubes[0].velocity = {1.0, 2.0};
   return scene;
 }
@@ -55,7 +55,7 @@ TEST(StepLook, InFreeFlightItIsTheParabola) {
 TEST(StepLook, WhatIsStruckFliesOnUntilItIs) {
   Scene scene;
   scene.gravity = Vec2::Zero();
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.005, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.005, 0.0})};
   scene.cubes[0].velocity = {1.0, 0.0};
   const Mechanism m(scene);
   RattleStepper stepper(m.system, {}, 0.0);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -12,7 +12,7 @@ constexpr double h = 0.01;
 
 Scene pair(double gap) {
   Scene scene;
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.0 + gap, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0 + gap, 0.0})};
   return scene;
 }
 
@@ -77,7 +77,7 @@ TEST(OverlapRemoval, WhatDoesNotOverlapIsLeftAlone) {
 
 TEST(OverlapRemoval, RetreatHalvesTheWayOfThoseThatOverlap) {
   Scene scene = pair(0.1);
-  scene.cubes.push_back(block("far", {9.0, 0.0}));
+  scene.cubes.push_back(cube("far", {9.0, 0.0}));
   const Mechanism m(scene);
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -30,7 +30,7 @@ struct Stepped {
 Scene collision() {
   Scene scene;
   scene.gravity = Vec2::Zero();
-  scene.cubes = {block("a", {0.0, 0.0}), block("b", {1.005, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.005, 0.0})};
   scene.cubes[0].velocity = {1.0, 0.0};
   scene.cubes[1].mass = 3.0;
   return scene;
@@ -38,7 +38,7 @@ Scene collision() {
 
 TEST(RattleStepper, FreeFlightIsAParabola) {
   Scene scene;
-  scene.cubes = {block("a", {0.0, 5.0})};
+  scene.cubes = {cube("a", {0.0, 5.0})};
   scene.cubes[0].velocity = {2.0, 1.0};
   scene.cubes[0].spin = 3.0;
   const Stepped s(scene);
@@ -53,7 +53,7 @@ TEST(RattleStepper, FreeFlightIsAParabola) {
 }
 
 TEST(RattleStepper, TheGroundCarriesTheWeight) {
-  const Stepped s(on_ground({block("a", {0.0, 0.5}), block("b", {0.0, 1.5})}));
+  const Stepped s(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.0, 1.5})}));
   Vec2 impulse = Vec2::Zero();
   for (const StepImpulse& p : s.taken.record->impulses) {
     if (!s.m.system.is_cube(p.from)) impulse += p.linear;
@@ -92,7 +92,7 @@ TEST(RattleStepper, NoStepIsLongerThanHalfTheThinnestBody) {
   const Mechanism m(collision());
   const RattleStepper stepper(m.system, {}, 0.0);
   EXPECT_NEAR(stepper.longest_step(m.state), 0.25, 1e-15);
-  Scene falling = on_ground({block("a", {0.0, 3.0})});
+  Scene falling = on_floor({cube("a", {0.0, 3.0})});
   const Mechanism f(falling);
   const double longest = RattleStepper(f.system, {}, 0.0).longest_step(f.state);
   EXPECT_NEAR(9.81 * longest * longest, 0.25, 1e-15);
@@ -107,7 +107,7 @@ TEST(RattleStepper, StoppedShortNothingOverlaps) {
 }
 
 TEST(RattleStepper, GapsUnderLoadAreClosedAtTheEnd) {
-  Stepped s(on_ground({block("a", {0.0, 0.5})}));
+  Stepped s(on_floor({cube("a", {0.0, 0.5})}));
   State lifted = s.taken.state;
   lifted[0].position.y() = 0.5 + 1e-6;
   s.stepper.close_gaps(lifted);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/time/stepping/close_gaps.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -33,7 +33,7 @@ class Landing {
 
  private:
   static Scene scene() {
-    Scene scene = on_ground({block("a", {0.0, 0.54})});
+    Scene scene = on_floor({cube("a", {0.0, 0.54})});
     scene.gravity = Vec2::Zero();
     scene.cubes[0].velocity = {0.0, -1.0};
     return scene;
@@ -84,7 +84,7 @@ TEST(StepBooks, WhatAStepAddsToTheEnergyIsTakenBack) {
 }
 
 TEST(CloseGaps, ClosesThoseThatCarriedLoad) {
-  const Mechanism m(on_ground({block("a", {0.0, 0.5 + 1e-6}), block("b", {3.0, 0.5 + 1e-6})}));
+  const Mechanism m(on_floor({cube("a", {0.0, 0.5 + 1e-6}), cube("b", {3.0, 0.5 + 1e-6})}));
   ContactFinder finder;
   std::vector<Contact> contacts;
   finder.find(m.system, m.state, contacts, 1e-5);
@@ -102,7 +102,7 @@ TEST(CloseGaps, LeavesWhatCannotBeClosed) {
   Scene scene;
   scene.fixed = {post("left", {-1.0 - 1e-6, 0.0}, {1.0, 3.0}),
                  post("right", {1.0 + 1e-6, 0.0}, {1.0, 3.0})};
-  scene.cubes = {block("a", {0.0, 0.0})};
+  scene.cubes = {cube("a", {0.0, 0.0})};
   const Mechanism m(scene);
   ContactFinder finder;
   std::vector<Contact> contacts;

@@ -1,0 +1,71 @@
+#include "app/film/frame_taker.h"
+
+#include <gtest/gtest.h>
+
+#include "core/scene/scene_parser.h"
+
+namespace wuerfel::test {
+namespace {
+
+/// A cube that falls half a metre onto a floor that takes all of its velocity, at sqrt(2 h / g).
+Scene falling_cube() {
+  return parse_scene(
+      "version = 1\n[[plane]]\nname = \"floor\"\npoint = [0, 0]\nnormal = [0, 1]\n"
+      "[[cube]]\nname = \"a\"\nmass = 2\nposition = [0, 1.0]\n",
+      "fall");
+}
+
+std::vector<Snapshot> frames(const Scene& scene, const LookBack& back, double end) {
+  std::vector<Snapshot> shown;
+  Simulation simulation(scene, {});
+  const SnapshotRequest request{.joints = true, .unique = true};
+  FrameTaker taker(request, request, back);
+  const auto instants =
+      with_looks(timetable(end, frame_times(end, {.fps = 50.0}), {}), back.average);
+  for (const Instant& instant : instants) {
+    simulation.advance_to(instant.t);
+    if (auto snapshot = taker.take(simulation, instant)) shown.push_back(std::move(*snapshot));
+  }
+  return shown;
+}
+
+TEST(Looks, LieBeforeTheirFrames) {
+  const auto instants = with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), 0.1);
+  EXPECT_EQ(instants.size(), 3U + 2U * 3U);
+  EXPECT_NEAR(instants[1].t, 0.025, 1e-15);
+  EXPECT_TRUE(instants[1].look);
+  EXPECT_FALSE(instants[1].frame);
+  EXPECT_EQ(with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), 0.0).size(), 3U);
+}
+
+TEST(FrameTaker, ForcesOfRestAreWhatTheyAreAtAnyInstant) {
+  Scene scene = falling_cube();
+  scene.cubes[0].position.y() = 0.5;
+  for (const Snapshot& snapshot : frames(scene, {0.02, 0.15}, 0.2)) {
+    ASSERT_EQ(snapshot.joints.size(), 1U);
+    EXPECT_NEAR(snapshot.joints[0].force.y(), 2.0 * 9.81, 1e-10);
+    EXPECT_NEAR(snapshot.joints[0].point.x(), 0.0, 1e-12);
+  }
+}
+
+TEST(FrameTaker, AnImpactBetweenTwoFramesIsSeen) {
+  // It falls 0.5 m in 0.3193 s, to v = 3.132 m/s: an impulse of 6.264 N s in the frame up to 0.32 s.
+  const auto shown = frames(falling_cube(), {0.02, 0.15}, 0.6);
+  const double impulse = 2.0 * std::sqrt(2.0 * 9.81 * 0.5);
+  EXPECT_TRUE(shown[15].joints.empty());
+  ASSERT_EQ(shown[16].joints.size(), 1U);
+  EXPECT_NEAR(shown[16].joints[0].force.y(), impulse / 0.02, 0.05 * impulse / 0.02);
+  EXPECT_NEAR(shown[17].joints[0].force.y(), 2.0 * 9.81, 1e-6) << "then it rests";
+}
+
+TEST(FrameTaker, ImpactsLeaveAMarkThatFades) {
+  const auto shown = frames(falling_cube(), {0.02, 0.15}, 0.6);
+  EXPECT_TRUE(shown[15].impacts.empty());
+  ASSERT_FALSE(shown[16].impacts.empty());
+  EXPECT_NEAR(shown[16].impacts[0].age, (0.32 - std::sqrt(2.0 * 0.5 / 9.81)) / 0.15, 1e-6);
+  EXPECT_GT(shown[20].impacts[0].age, shown[16].impacts[0].age);
+  EXPECT_TRUE(shown[25].impacts.empty());
+}
+
+}  // namespace
+}  // namespace wuerfel::test
