@@ -8,6 +8,7 @@
 #include "core/qp/coulomb/rest_program.h"
 #include "core/qp/coulomb/restitution.h"
 #include "tests/support/friction_zoo.h"
+#include "tests/support/laid_bricks.h"
 
 namespace wuerfel {
 namespace {
@@ -16,7 +17,7 @@ using test::Dice;
 using test::FrictionBuilder;
 using test::FrictionCase;
 
-constexpr int ground = FrictionBuilder::ground;
+using test::ground;
 constexpr double g = 9.81;
 
 void let_gravity_act(FrictionCase& c) {

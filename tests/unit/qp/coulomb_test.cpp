@@ -7,6 +7,7 @@
 
 #include "core/qp/coulomb/coulomb_solver.h"
 #include "tests/support/friction_zoo.h"
+#include "tests/support/laid_bricks.h"
 
 namespace wuerfel {
 namespace {
@@ -15,7 +16,7 @@ using test::FrictionBuilder;
 using test::FrictionCase;
 using test::FrictionOptions;
 
-constexpr int ground = FrictionBuilder::ground;
+using test::ground;
 
 /// A box on two corners on the floor, velocity given.
 FrictionCase box_on_floor(double mu, double width, double height, std::array<double, 3> velocity) {
