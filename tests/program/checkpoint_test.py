@@ -13,6 +13,7 @@ from program import FLOOR, PROGRAM, ProgramTest, main
 CROWD = {"version": 1, "title": "crowd", "duration": 2.0, "plane": [FLOOR],
          "fixed": [{"name": "left", "size": [0.2, 6], "position": [-2, 3]}, {"name": "right", "size": [0.2, 6], "position": [2, 3]}],
          "pile": [{"count": 40, "region": [-1.7, 0.3, 1.7, 5], "size": 0.3, "seed": 3}]}
+KILLS = int(os.environ.get("KILLS", "3"))
 LOOKS = ("--fps", "20", "--states", "s.csv", "--forces", "f.csv", "--events", "e.jsonl", "--sample", "0.31,1.7", "--quiet")
 # By steps of one length the same work is done soon.
 STEPS = ("--integrator", "moreau", "--step", "0.0003", "--set", "pile.pile1.count=12")
@@ -71,7 +72,7 @@ class Resume(ProgramTest):
         self.run_through(*pictures)
         whole = self.outputs("f.apng", *frames)
         shuffle = random.Random(5)
-        for _ in range(3):
+        for _ in range(KILLS):
             for name in ("f.apng", *frames):
                 os.remove(self.path(name))
             self.stopped(signal.SIGKILL, shuffle.uniform(0.0, 0.6), *pictures, "--checkpoint", "c.bin", "--every", "0.1")
