@@ -79,13 +79,12 @@ StillOptions parse_options(const std::string& text, const std::string& path) try
 
 // What a picture says of itself is not drawn where it cannot be right: that would take memory and
 // time for nothing.
-void require_honest(const PngFile& picture,
-                    const StillOptions& made_with,
-                    const std::string& path) {
+void require_honest(const Made& picture, const StillOptions& made_with, const std::string& path) {
   const auto [width, height] = made_with.picture.size;
-  if (picture.image.width() != width || picture.image.height() != height) {
+  const auto& image = picture.image;
+  if (image && (image->width() != width || image->height() != height)) {
     throw UsageError(fmt::format("{}: it has {}x{} pixels and says that they are {}x{}", path,
-                                 picture.image.width(), picture.image.height(), width, height));
+                                 image->width(), image->height(), width, height));
   }
   const std::size_t places = made_with.strip ? made_with.strip->columns * made_with.strip->rows : 1;
   if (made_with.times.size() > places || !std::ranges::is_sorted(made_with.times)

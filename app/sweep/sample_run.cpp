@@ -104,7 +104,9 @@ void SampleRun::watch_fall(double t, const State& state) {
 
 void SampleRun::finish(const Simulation& simulation) {
   Notes notes(Notes::Voice::later);
-  if (verdict_on_accuracy(simulation.audit(), 0.0, notes) != ExitCode::fine)
+  AccuracyWatch accuracy;
+  accuracy.look(simulation, 0.0);
+  if (accuracy.verdict(notes) != ExitCode::fine)
     throw SampleError(fmt::format("{}", fmt::join(notes.texts(), "; ")));
   end_ = simulation.states();
   events_ = simulation.events();

@@ -87,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(Integrators,
                          Restart,
                          testing::Values(Case{Integrator::automatic, 2.0},
                                          Case{Integrator::moreau, 1.0}),
-                         [](const auto& info) {
-                           return std::string(to_string(info.param.integrator));
+                         [](const auto& test) {
+                           return std::string(to_string(test.param.integrator));
                          });
 
 TEST(RestartPoints, AreRefusedWhereTheyAreCutOrOfAnotherScene) {
