@@ -40,7 +40,6 @@ struct TemplateChoice {
   const Value* table = nullptr;
 };
 
-void read(const Spot& spot, const Limits& limits, bool& target);
 void read(const Spot& spot, const Limits& limits, Interval& target);
 void read(const Spot& spot, const Limits& limits, WholeInterval& target);
 void read(const Spot& spot, const Limits& limits, ValueList& target);

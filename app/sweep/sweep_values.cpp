@@ -113,12 +113,6 @@ std::vector<std::string> words_of(const Spot& spot) {
   return words;
 }
 
-void read(const Spot& spot, const Limits& /*limits*/, bool& target) {
-  const auto* value = std::get_if<bool>(&spot.value.data);
-  if (value == nullptr) fail_type(spot, "true or false");
-  target = *value;
-}
-
 void read(const Spot& spot, const Limits& limits, std::vector<double>& target) {
   const Value::Array& items = array_at(spot, "a list of numbers");
   target.resize(items.size());
