@@ -112,7 +112,10 @@ TEST_P(JammedWall, IsSolvedByBothMethodsAlike) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, JammedWall, testing::Range(1, 6), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Seeds,
+                         JammedWall,
+                         testing::Range(1, 6),
+                         testing::PrintToStringParamName());
 
 TEST(ShippedScenes, InMotionAreSolvedByBothMethodsAlike) {
   const std::vector<ZooProgram> programs = test::motion_programs();
