@@ -32,6 +32,11 @@ Vec2 common_center(const System& system, const State& state, std::span<const cha
   return mass > 0.0 ? Vec2(sum / mass) : sum;
 }
 
+bool touches_fixed(const System& system, std::span<const Contact> contacts) {
+  return std::ranges::any_of(
+      contacts, [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); });
+}
+
 void add_push(const System& system,
               const State& state,
               const Vec2& center,

@@ -136,8 +136,13 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   if (forced) phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
   if (event) reach(*event);
   note_step(step, forced, book);
-  book.unexplained +=
+  const Push change =
       unexplained(*system_, state(), step.end, step.elapsed, step.push, modes_.resting);
+  Push put;
+  if (!step.flown.empty() && touches_fixed(*system_, modes_.closed.contacts))
+    put = unexplained(*system_, step.flown, step.end, 0.0, {}, modes_.resting);
+  book.settled += put;
+  book.unexplained += change + -1.0 * put;
   note_rods(*system_, step.end, book);
   pieces.push_back(last_piece());
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
@@ -168,6 +173,9 @@ void EventMotion::begin_phase(const State& state,
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
+  // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
+  if (touches_fixed(*system_, modes_.closed.contacts))
+    now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
   book.settled += now.settled;
   book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps

@@ -104,10 +104,8 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
 
 /// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
 void settle(const System& system, const Island& island, const State& before, Instant& now) {
-  const bool fixed = std::ranges::any_of(island.contacts, [&](const Contact& c) {
-    return !system.is_cube(c.on) || !system.is_cube(c.from);
-  });
-  if (fixed) now.settled += unexplained(system, before, now.state, 0.0, {});
+  if (touches_fixed(system, island.contacts))
+    now.settled += unexplained(system, before, now.state, 0.0, {});
 }
 
 /// Makes an island rest. That it does is an event where none of its cubes did before.

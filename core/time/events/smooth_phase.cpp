@@ -139,6 +139,7 @@ const SmoothStep& SmoothPhase::step(double most) {
   step_.load_range.clear();
   step_.followed = true;
   step_.push = end_push_ = {};
+  step_.flown.clear();
   free() ? fall(most) : integrate(most);
   return step_;
 }
@@ -191,6 +192,7 @@ void SmoothPhase::complete(double length) {
   const auto field = [this](const auto& y, auto& rate) { evaluate(y, rate); };
   step_.end = start_;
   unpack(method_.next(), step_.end);
+  step_.flown = step_.end;
   equations_.project(step_.end);
   pack(step_.end, step_.y);
   evaluate(step_.y, step_.rate);

@@ -32,6 +32,7 @@ struct SmoothStep {
   std::vector<double> rate;           ///< and its rate
   std::vector<double> loads;          ///< N, there
   Push push;                          ///< by fixed bodies, in the step
+  State flown;  ///< its end before it was put on the contacts; empty: it was not
   /// Whether the error is small enough; else the contacts' rows nearly depend on one another, and
   /// accelerations are no smooth function any more.
   bool followed = true;
