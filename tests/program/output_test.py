@@ -38,7 +38,7 @@ class Frames(ProgramTest):
             cost = self.summary(FLYING, "-o", "f/", "--until", "0.1", *still, *view)["cost"]
             self.assertEqual((cost["frames"], cost["frames_reused"]), (11, 0))
             # The clock of the HUD goes on, in thousandths of a second.
-            cost = self.summary(STANDING, "-o", "f/", "--fps", "4000", "--until", "0.01", *SMALL, *view)["cost"]
+            cost = self.summary(STANDING, "-o", "f/", "--fps", "4000", "--until", "0.01", "--size", "480x270", *view)["cost"]
             self.assertEqual(cost["frames"], 41)
             self.assertEqual(cost["frames"] - cost["frames_reused"], 11)
         cost = self.summary(FLYING, "--states", "s.csv")["cost"]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/impact.h"
@@ -323,8 +324,8 @@ Push RattleStepper::pushed() const {
       add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
   }
   for (const auto& [id, blow] : stride_.blows) {
-    add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
-    add_push(*system_, stride_.before, end, blow.end, blow.second, sum);
+    add_push(*system_, stride_.start, start, blow.start, blow.first + blow.returned, sum);
+    add_push(*system_, stride_.before, end, blow.end, blow.second - blow.returned, sum);
   }
   return sum;
 }
@@ -359,9 +360,10 @@ void RattleStepper::strike_anew(Step& step) {
            && closing_speed(*system_, stride_, blow.start) > impact_steps
            && std::ranges::binary_search(near, blow.start.id());
   };
+  // Where the cubes are now both have the place in common, so that no turning is left behind.
   const auto take_back = [&](Blow& blow) {
-    push(*system_, blow.start, -blow.first, step.state);
-    blow.first.setZero();
+    push(*system_, blow.end, -blow.first, step.state);
+    blow.returned += std::exchange(blow.first, Vec2::Zero());
   };
   std::vector<Island> islands;
   find_islands(*system_, acting(), islands);

@@ -20,6 +20,7 @@ struct Blow {
   Contact end;    ///< where the cubes have come
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
+  Vec2 returned = Vec2::Zero();  ///< given at the start and taken back where the cubes have come
   [[nodiscard]] bool acts() const { return !first.isZero(0.0) || !second.isZero(0.0); }
 };
 

@@ -24,7 +24,8 @@ std::vector<Snapshot> frames(const Scene& scene, const LookBack& back, double en
       with_looks(timetable(end, frame_times(end, {.fps = 50.0}), {}), back.average);
   for (const Instant& instant : instants) {
     simulation.advance_to(instant.t);
-    if (auto snapshot = taker.take(simulation, simulation.moment(), instant)) shown.push_back(std::move(*snapshot));
+    if (auto snapshot = taker.take(simulation, simulation.moment(), instant))
+      shown.push_back(std::move(*snapshot));
   }
   return shown;
 }
