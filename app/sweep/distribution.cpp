@@ -11,8 +11,8 @@ namespace wuerfel {
 
 namespace {
 
-constexpr double ln2_high = 0x1.62e42fefap-1;  // 33 bits: products with small integers are exact
-constexpr double ln2_low = 0x1.cf79abc9e3b39p-34;
+constexpr double ln2_high = 0x1.62e42fefap-1;  // 37 bits: products with small integers are exact
+constexpr double ln2_low = 0x1.cf79abc9e3b39p-40;
 
 double polynomial(std::span<const double> highest_first, double x) {
   double sum = 0.0;

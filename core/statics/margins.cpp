@@ -78,6 +78,7 @@ class IslandMargins {
       : still_(still), of_(of), solver_(still, of.island, Sliding::given) {}
 
   LoadRange shift(int cube) {
+    if (still_.system.body(cube).kind == BodyKind::point) return no_load;  // it has no room
     if (still_.system.gravity.isZero(0.0)) return {};  // no weight, nowhere
     const double side = still_.system.body(cube).size.minCoeff();
     const double lever = side * still_.weight(cube);

@@ -99,6 +99,7 @@ void PartJudge::glue_rows(PartStand& part, Generators& glued) const {
       sum[2] += J[2] + det(arm, Vec2(J[0], J[1]));
     }
     if (inside == 0 || is_inner(part, row)) continue;
+    if (generators_.share[row].contact < 0) part.on_rods = true;
     glued.program.add_row(0.0, p.force_min[row], p.force_max[row]);
     glued.program.add_entry(0, sum);
     glued.share.push_back(generators_.share[row]);

@@ -135,7 +135,7 @@ class Scenes(ProgramTest):
 class Check(ProgramTest):
     def verdict(self, scene, code, *arguments):
         answer = json.loads(self.expect(code, "check", self.scene(scene), "--json", *arguments).stdout)
-        self.assertEqual(set(answer), {"verdict", "accelerations", "contacts", "objective", "kkt_residual"})
+        self.assertEqual(set(answer), {"verdict", "accelerations", "contacts", "rods", "pins", "objective", "kkt_residual"})
         return answer
 
     def test_what_stands_is_fine(self):

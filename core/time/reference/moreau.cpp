@@ -7,6 +7,21 @@
 
 namespace wuerfel {
 
+namespace {
+
+/// What fixed bodies do to an island that rests: they carry its weight, N and N m.
+Push weight_carried(const System& system, const State& state, const Island& island) {
+  const Vec2 center = common_center(system, state);
+  Push sum;
+  for (const int cube : island.cubes) {
+    const Vec2 carried = -system.body(cube).mass * system.gravity;
+    sum += {carried, det(state[cube].position - center, carried)};
+  }
+  return sum;
+}
+
+}  // namespace
+
 Moreau::Moreau(const System& system, const MotionSettings& settings)
     : system_(&system), restrictions_(system, settings), correction_(system, settings) {}
 
@@ -16,10 +31,9 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
     if (point.resting[i] == 0) point.state[i].velocity += dt * system_->gravity;
   }
   std::vector<Contact> pressed;
-  for (std::size_t m = 0; m < point.islands.size(); ++m) {
-    const Island& island = point.islands[m];
+  for (const Island& island : point.islands) {
     if (point.rests(island)) {
-      point.push += dt * push_of(*system_, point.state, island, point.solutions[m]);
+      point.push += dt * weight_carried(*system_, point.state, island);
       continue;
     }
     const IslandSolution solution = restrictions_.dynamics().impact(point.state, island);
