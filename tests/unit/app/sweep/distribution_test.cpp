@@ -9,10 +9,10 @@ namespace {
 
 TEST(Distribution, LogarithmAndExponentialAreThoseOfTheLibraryToRounding) {
   for (double x = 1e-300; x < 1e300; x *= 1.37) {
-    EXPECT_NEAR(portable_log(x), std::log(x), 3e-16 * std::abs(std::log(x)) + 1e-300) << x;
+    EXPECT_NEAR(portable_log(x), std::log(x), 5e-16 * std::abs(std::log(x)) + 1e-300) << x;
   }
   for (double x = 0.9; x < 1.1; x += 0.00037)
-    EXPECT_NEAR(portable_log(x), std::log(x), 3e-16 * std::abs(std::log(x)) + 1e-300) << x;
+    EXPECT_NEAR(portable_log(x), std::log(x), 5e-16 * std::abs(std::log(x)) + 1e-300) << x;
   for (double x = -690.0; x < 690.0; x += 0.713)
     EXPECT_NEAR(portable_exp(x) / std::exp(x), 1.0, 5e-16) << x;
   EXPECT_EQ(portable_log(1.0), 0.0);
