@@ -12,7 +12,8 @@
 namespace wuerfel::internal {
 namespace {
 
-constexpr int level = 1;
+/// The dynamic codes of levels 1 to 3 are not always the same for the same bytes.
+constexpr int level = 0;
 constexpr int band_size = 1 << 20;  ///< bytes; a band has at least one row
 
 /// What is the same for all bands of a picture.
@@ -53,7 +54,6 @@ void pack_rgb(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
 struct IsalDeflate::Workspace {
   const IsalLibrary& isal = isal_library();
   isal_zstream stream{};
-  std::vector<std::uint8_t> level_memory = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
   std::vector<std::uint8_t> rows;    ///< of a band, as PNG wants them
   std::vector<std::uint8_t> output;  ///< as large as a band can become
   Layout layout;
@@ -92,8 +92,6 @@ void IsalDeflate::Workspace::pack(const Image& image, int first, int last, Band&
   band.adler = isal.adler32(1, rows.data(), band.size);
   isal.deflate_init(&stream);
   stream.level = level;
-  stream.level_buf = level_memory.data();
-  stream.level_buf_size = static_cast<std::uint32_t>(level_memory.size());
   stream.flush = FULL_FLUSH;  // ends with a whole byte, and the next band looks no further back
   stream.next_in = rows.data();
   stream.avail_in = static_cast<std::uint32_t>(band.size);
