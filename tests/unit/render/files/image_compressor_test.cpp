@@ -73,11 +73,11 @@ TEST(ImageCompressor, GivesNoiseOfManyBlocksBack) {
   expect_round_trip(image);
 }
 
-TEST(ImageCompressor, MakesLessThanAHundredthOfAFlatPicture) {
+TEST(ImageCompressor, MakesLessThanASeventiethOfAFlatPicture) {
   for (const PngEncoder encoder : encoders) {
     CompressedImage compressed;
     ImageCompressor(encoder).compress(Image(1920, 1080), PngChannels::rgb, compressed);
-    EXPECT_LT(compressed.stream.size(), 1920U * 1080U * 3U / 100U) << to_string(encoder);
+    EXPECT_LT(compressed.stream.size(), 1920U * 1080U * 3U / 70U) << to_string(encoder);
   }
 }
 
