@@ -44,6 +44,23 @@ std::vector<double> uncertain_shares(const System& system, const InstantForces& 
   return shares;
 }
 
+/// What the residual leaves of the largest force of its island, as a share of each cube's weight: so little may as well
+/// come from far away.
+std::vector<double> carried_shares(const System& system, const InstantForces& found, double g) {
+  std::vector<double> shares(system.cubes, 0.0);
+  for (const IslandForces& of : found.islands) {
+    const bool shown = !of.forces.force.empty();
+    const std::vector<double>& forces = shown ? of.forces.force : of.solution.forces;
+    const double residual = std::max(bits, shown ? of.forces.residual : of.solution.residual);
+    double largest = 0.0;
+    for (const double force : forces)
+      largest = std::max(largest, force);
+    for (const int cube : of.island.cubes)
+      shares[cube] = residual * largest / (system.body(cube).mass * g);
+  }
+  return shares;
+}
+
 /// How far cubes are from rest, and how well that is known.
 struct Unrest {
   double most = 0.0;       ///< the largest share
@@ -58,13 +75,15 @@ Unrest unrest_of(const System& system,
   const double g =
       system.gravity.isZero(0.0) ? scales_of(system, state).gravity : system.gravity.norm();
   const std::vector<double> uncertain = uncertain_shares(system, found, g);
+  const std::vector<double> carried = carried_shares(system, found, g);
   Unrest unrest;
   for (int i = 0; i < system.cubes; ++i) {
     if (!watched.empty() && watched[i] == 0) continue;
     const double share = share_of(system.body(i), found.accelerations[i], g);
     unrest.most = std::max(unrest.most, share);
     unrest.certain =
-        unrest.certain || (share >= falls_above && share > certain_times * uncertain[i]);
+        unrest.certain
+        || (share >= falls_above && share > certain_times * std::max(uncertain[i], carried[i]));
     // Where forces balance to their last bits nothing has piled up, however large they are.
     if (found.residual > piled_up) unrest.uncertain = std::max(unrest.uncertain, uncertain[i]);
   }
