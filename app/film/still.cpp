@@ -59,7 +59,10 @@ PixelSize size_of(const StillOptions& options, const Recording& motion) {
 std::vector<Instant> instants_of(const StillOptions& options, const Scene& scene) {
   const double last = options.times.back();
   const PictureOptions& picture = options.picture;
-  const bool whole = picture.fit == Fit::motion && needs_whole_motion(picture);
+  // A film of more frames than anybody looks at has no view and no scale to share.
+  constexpr double most_frames = 1e6;
+  const bool has_film = options.times.back() * options.rate.fps / options.rate.speed < most_frames;
+  const bool whole = picture.fit == Fit::motion && needs_whole_motion(picture) && has_film;
   const double end = whole ? std::max(last, options.end.value_or(scene.duration)) : last;
   std::vector<double> frames;
   if (whole || picture.layers.has(Layer::trails)) frames = frame_times(end, options.rate);
