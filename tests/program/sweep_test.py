@@ -373,7 +373,7 @@ class Samples(Sweep):
 
 class Resuming(Sweep):
     def test_killed_at_any_moment_it_goes_on_to_the_same_bytes(self):
-        text = SWEEP.replace("cases = 24", "cases = 300").replace("states = { fps = 10 }", "states = { fps = 200 }")
+        text = SWEEP.replace("cases = 24", "cases = 1000").replace("states = { fps = 10 }", "states = { fps = 200 }")
         self.plan(text, "whole")
         self.expect(0, "sweep", "run", "whole")
         whole = self.merged("whole", "a")
@@ -382,7 +382,7 @@ class Resuming(Sweep):
         kills = 0
         while kills < int(os.environ.get("KILLS", "12")):
             with subprocess.Popen([self.program, "sweep", "run", "plan", "--quiet", "--jobs", "2"], cwd=self.folder) as run:
-                time.sleep(dice.uniform(0.0, 0.6))
+                time.sleep(dice.uniform(0.0, 0.15))
                 if run.poll() is not None:
                     break
                 run.send_signal(signal.SIGKILL)
