@@ -79,7 +79,7 @@ class IslandMargins {
 
   LoadRange shift(int cube) {
     if (still_.system.body(cube).kind == BodyKind::point) return no_load;  // it has no room
-    if (still_.system.gravity.isZero(0.0)) return {};  // no weight, nowhere
+    if (still_.system.gravity.isZero(0.0)) return {};                      // no weight, nowhere
     const double side = still_.system.body(cube).size.minCoeff();
     const double lever = side * still_.weight(cube);
     // A weight that acts at r turns with det(r, down) times itself.
