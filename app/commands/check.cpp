@@ -56,10 +56,11 @@ nlohmann::ordered_json check_json(const Scene& scene, const Check& answer) {
   }
   Json contacts = Json::array();
   for (const ContactForce& contact : answer.contacts) {
+    // Adding 0 turns -0 into 0.
     contacts.push_back({{"on", contact.on},
                         {"from", contact.from},
                         {"point", {contact.point.x(), contact.point.y()}},
-                        {"normal", {contact.normal.x(), contact.normal.y()}},
+                        {"normal", {contact.normal.x() + 0.0, contact.normal.y() + 0.0}},
                         {"force", contact.force},
                         {"tangential", contact.tangential},
                         {"unique", contact.unique}});
@@ -178,7 +179,7 @@ std::string joints_text(const Check& answer) {
   if (!answer.rods.empty()) text += fmt::format("\n{:<14} {:>12}\n", "rod", "force / N");
   for (const RodForce& rod : answer.rods) {
     const char* way = rod.force < 0.0 ? "pushes" : "pulls";
-    add(rod.name, fmt::format("{:>12.6g} {:<6}", rod.force, way), rod.unique);
+    add(rod.name, fmt::format("{:>12.6g} {:<6}", rod.force + 0.0, way), rod.unique);
   }
   if (!answer.pins.empty())
     text += fmt::format("\n{:<14} {:>12} {:>12}\n", "pin", "fx / N", "fy / N");
