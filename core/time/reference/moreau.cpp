@@ -9,7 +9,7 @@ namespace wuerfel {
 
 namespace {
 
-/// What fixed bodies do to an island that rests: they carry its weight, N and N m.
+/// What fixed bodies do to an island whose rest was certified earlier: they carry its weight, N and N m.
 Push weight_carried(const System& system, const State& state, const Island& island) {
   const Vec2 center = common_center(system, state);
   Push sum;
@@ -31,9 +31,14 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
     if (point.resting[i] == 0) point.state[i].velocity += dt * system_->gravity;
   }
   std::vector<Contact> pressed;
-  for (const Island& island : point.islands) {
+  for (std::size_t m = 0; m < point.islands.size(); ++m) {
+    const Island& island = point.islands[m];
     if (point.rests(island)) {
-      point.push += dt * weight_carried(*system_, point.state, island);
+      const bool solved =
+          m < point.solutions.size() && point.solutions[m].forces.size() == island.contacts.size();
+      point.push += dt
+                    * (solved ? push_of(*system_, point.state, island, point.solutions[m])
+                              : weight_carried(*system_, point.state, island));
       continue;
     }
     const IslandSolution solution = restrictions_.dynamics().impact(point.state, island);
