@@ -46,6 +46,19 @@ void add_rods(const Check& answer, Json& json) {
 
 }  // namespace
 
+ExitCode exit_code(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::stands:
+      return ExitCode::fine;
+    case Verdict::falls:
+    case Verdict::moves:
+      return ExitCode::negative;
+    case Verdict::undecided:
+      return ExitCode::undecided;
+  }
+  return ExitCode::internal;
+}
+
 nlohmann::ordered_json check_json(const Scene& scene, const Check& answer) {
   Json accelerations = Json::object();
   for (std::size_t i = 0; i < answer.accelerations.size(); ++i) {
@@ -201,19 +214,6 @@ std::string answer_text(const std::string& name,
   }
   if (form.one_line) return fmt::format("{}: {}\n", name, to_string(answer.verdict));
   return check_text(scene, motion, answer) + joints_text(answer) + statics.text();
-}
-
-ExitCode exit_code(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::stands:
-      return ExitCode::fine;
-    case Verdict::falls:
-    case Verdict::moves:
-      return ExitCode::negative;
-    case Verdict::undecided:
-      return ExitCode::undecided;
-  }
-  return ExitCode::internal;
 }
 
 }  // namespace

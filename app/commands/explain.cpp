@@ -6,6 +6,7 @@
 #include "app/cli/argument.h"
 #include "app/cli/option_groups.h"
 #include "app/commands/batch.h"
+#include "app/commands/check_json.h"
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
 #include "app/film/still.h"
@@ -24,20 +25,6 @@ struct ExplainOptions {
   std::string output;
   bool json = false;
 };
-
-// As of `check`.
-ExitCode exit_code(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::stands:
-      return ExitCode::fine;
-    case Verdict::falls:
-    case Verdict::moves:
-      return ExitCode::negative;
-    case Verdict::undecided:
-      return ExitCode::undecided;
-  }
-  return ExitCode::internal;
-}
 
 // Throws UsageError where it has no name that a picture can have.
 void require_picture(const std::string& name) {
