@@ -83,7 +83,10 @@ def momentum(count):
             wrong = near(sum(c["velocity"][axis] for c in cubes), 1e-12 * at_hand, "momentum", end)
             if wrong:
                 return wrong
-        return None
+        # m (x v_y - y v_x) + I omega, with m = side = 1
+        turning = sum(c["position"][0] * c["velocity"][1] - c["position"][1] * c["velocity"][0] for c in cubes)
+        end = sum(b["x"] * b["vy"] - b["y"] * b["vx"] + b["omega"] / 6 for b in answer["samples"][-1]["bodies"].values())
+        return near(turning, 1e-9 * at_hand * 1.6 * side, "angular momentum", end)
     return [Case(rubs(space, mu, e), energy=at_hand, expect=kept) for mu, e in ((0.0, 0.0), (0.5, 0.0), (0.5, 0.6))]
 
 
