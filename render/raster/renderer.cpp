@@ -49,8 +49,15 @@ class Renderer::OpenGl {
     const internal::GlFunctions& gl = context_.gl();
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for (const ShapeRun& run : list.runs)
-      pipeline(run.kind).draw(list, run, region);
+    // Mesa draws the first shapes after a change of size for the size before: what it begins with is drawn twice.
+    if (list.width != width_ || list.height != height_) {
+      draw_shapes(list, region);
+      gl.Finish();
+      clear(list, region);
+      width_ = list.width;
+      height_ = list.height;
+    }
+    draw_shapes(list, region);
     gl.Finish();
     if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
       throw LibraryError("OpenGL reports error " + std::to_string(error));
@@ -95,6 +102,11 @@ class Renderer::OpenGl {
     gl.Clear(GL_COLOR_BUFFER_BIT);
   }
 
+  void draw_shapes(const DrawList& list, const internal::Region& region) {
+    for (const ShapeRun& run : list.runs)
+      pipeline(run.kind).draw(list, run, region);
+  }
+
   internal::ShapePipeline& pipeline(ShapeKind kind) {
     std::unique_ptr<internal::ShapePipeline>& entry = pipelines_.at(static_cast<std::size_t>(kind));
     if (!entry) entry = std::make_unique<internal::ShapePipeline>(context_.gl(), kind);
@@ -104,6 +116,8 @@ class Renderer::OpenGl {
   internal::OffscreenContext context_;
   std::array<std::unique_ptr<internal::ShapePipeline>, 5> pipelines_;
   std::optional<DrawList> last_;  ///< what the context shows
+  int width_ = 0;                 ///< px, of the picture before
+  int height_ = 0;                ///< px, likewise
 };
 
 Renderer::Renderer(RasterThreads threads) : gl_(std::make_unique<OpenGl>(threads)) {}

@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -254,6 +255,19 @@ TEST(Pixels, DoNotDependOnWhatWasDrawnBefore) {
   const Image first = draw_fitted(pyramid_snapshot(), Theme::light, default_layers);
   draw_fitted(two_cubes_snapshot(), Theme::transparent, {Layer::cubes, Layer::sides, Layer::hud});
   EXPECT_EQ(first, draw_fitted(pyramid_snapshot(), Theme::light, default_layers));
+}
+
+TEST(Pixels, DoNotDependOnTheSizeOfThePictureBefore) {
+  const Image first = draw_fitted(pyramid_snapshot(), Theme::light, default_layers);
+  const Style style = make_style(Theme::light);
+  const FrameOptions options = literal_options({Layer::cubes, Layer::forces});
+  for (const auto& [w, h] : {std::pair{150, 90}, {148, 98}, {480, 130}, {960, 540}}) {
+    for (int times = 0; times < 3; ++times)
+      draw(pyramid_snapshot(), literal_view(pyramid_snapshot(), style, options, w, h), Theme::light,
+           options);
+    EXPECT_EQ(first, draw_fitted(pyramid_snapshot(), Theme::light, default_layers))
+        << w << 'x' << h;
+  }
 }
 
 /// What the arguments beside GoogleTest's ask for; -1: run the tests.
