@@ -395,7 +395,8 @@ void RattleStepper::take_back(const std::vector<Contact>& contacts, State& state
   // quadratic s^2 + linear s = due
   const double quadratic = kinetic_energy(*system_, change);
   const double root = linear * linear + 4.0 * quadratic * due;
-  const double share = quadratic > 0.0 && root >= 0.0 ? (std::sqrt(root) - linear) / (2.0 * quadratic) : 1.0;
+  const double share =
+      quadratic > 0.0 && root >= 0.0 ? (std::sqrt(root) - linear) / (2.0 * quadratic) : 1.0;
   for (const Contact& c : contacts) {
     Blow& blow = stride_.blows.at(c.id());
     push(*system_, c, -share * blow.first - blow.second, state);

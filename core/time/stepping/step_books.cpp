@@ -12,6 +12,8 @@ namespace {
 /// What the sway of a step takes from the energy is given back by no more than this factor on
 /// velocities.
 constexpr double most_given_back = 1.01;
+/// What opens faster than so many g h does not last.
+constexpr double opening_steps = 1e-2;
 
 /// What the contacts of a component take from its energy, J.
 struct Balance {
@@ -95,10 +97,12 @@ double work_of(const System& system, const Stride& stride, int number, const Sta
   return stride.rods_first[number] * first + stride.rods_second[number] * second;
 }
 
-/// Whether the contact is closed at the start and does not close: its work is the sway of the method.
+/// Whether the contact is closed at the start and stays so: its work is the sway of the method. What opens at the start
+/// and acts all the same lands.
 bool lasts(const System& system, const Stride& stride, const Blow& blow) {
-  return blow.start.gap <= touching_share * contact_scale(system, blow.start)
-         && closing_speed(system, stride, blow.start) <= impact_steps;
+  const double closing = closing_speed(system, stride, blow.start);
+  return is_near(system, blow.start, touching_share) && closing <= impact_steps
+         && closing >= -opening_steps;
 }
 
 /// The share of the step at which a gap closes at the speed of the start; 1 where it closes more slowly
