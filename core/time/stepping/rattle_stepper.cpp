@@ -383,9 +383,7 @@ void RattleStepper::strike_anew(Step& step) {
 void RattleStepper::take_back(const std::vector<Contact>& contacts, State& state) {
   double due = 0.0;
   double linear = 0.0;
-  State change = state;
-  for (BodyState& s : change)
-    s.velocity.setZero(), s.spin = 0.0;
+  State change(state.size());
   for (const Contact& c : contacts) {
     Blow& blow = stride_.blows.at(c.id());
     due -= first_work(*system_, stride_, blow).sum();
