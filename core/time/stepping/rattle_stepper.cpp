@@ -121,17 +121,24 @@ void RattleStepper::place(Step& step) {
 /// Displacements that keep the cubes of an island apart, against friction where they rub.
 IslandSolution RattleStepper::apart(const Island& island,
                                     const std::vector<Twist>& targets,
-                                    Step& step) {
-  const Restricted part = removal_.apart(island);
+                                    Bookkeeping& book) {
+  Restricted part = removal_.apart(island);
   if (rubs(*system_, island)) {
+    // Gaps are not opened against friction: staying put is to be possible, or there may be no solution (a cube in a
+    // corner that rubs).
+    for (std::size_t k = 0; k < part.margins.size(); ++k) {
+      const Contact start =
+          at_poses(*system_, removal_.near().start_boxes(), part.island.contacts[k]);
+      part.margins[k] = std::min(part.margins[k], start.gap);
+    }
     IslandSolution solution = work_.friction.placement(stride_.start, with_margins(part), targets);
-    keep_book(solution, step.book);
+    keep_book(solution, book);
     return solution;
   }
   Solves solves;
   IslandSolution solution = nearest_place(stride_.start, part, targets, work_.dynamics, solves);
   solves.count(solution);
-  keep_cost(solves, step.book);
+  keep_cost(solves, book);
   return solution;
 }
 
@@ -182,7 +189,7 @@ void RattleStepper::place_island(const Island& island, Step& step) {
     const BodyState& half = stride_.half[cube];
     targets.push_back({stride_.h * half.velocity, stride_.h * half.spin});
   }
-  const IslandSolution straight = apart(island, targets, step);
+  const IslandSolution straight = apart(island, targets, step.book);
   fly_half(island, straight, step.state);
   // Where something is struck within the step its order is one anyway.
   const double least = straight.least_pressing();
@@ -223,7 +230,8 @@ void RattleStepper::follow(const Island& island, const State& state) {
 }
 
 /// The placement once more: directions stay those of the start, gaps are measured where the cubes have come. That
-/// makes the order two. Where these contradict one another the first place is as good a start for the clean-up.
+/// makes the order two. Where these contradict one another, or Coulomb's law, the first place is as good a start for the
+/// clean-up.
 void RattleStepper::bend(const Island& island,
                          const std::vector<Twist>& targets,
                          const IslandSolution& straight,
@@ -252,8 +260,12 @@ void RattleStepper::bend(const Island& island,
   IslandSolution placed = straight;
   // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
   for (int k = 0; k < most_bends && (k == 0 || bend_more(step.state, bent)); ++k) {
-    IslandSolution solution = apart(bent, targets, step);
-    if (solution.status != QpStatus::optimal && !solution.friction_inexact) break;
+    Bookkeeping tried;
+    IslandSolution solution = apart(bent, targets, tried);
+    const bool solved = solution.status == QpStatus::optimal;
+    if (!solved) tried.audit = {};
+    add(tried, step.book);
+    if (!solved) break;
     fly_half(island, solution, step.state);
     placed = std::move(solution);
   }

@@ -71,7 +71,7 @@ class RattleStepper {
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
             Step& step);
-  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Step& step);
+  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Bookkeeping& book);
   void fly_half(const Island& island, const IslandSolution& solution, State& state);
   void note_pressed(const Island& island, const IslandSolution& solution);
   void add_blows(const std::vector<Contact>& contacts);
