@@ -235,7 +235,7 @@ def families(reference):
         Family("pile", "cubes in a bin", [10, 100], [10, 100, 300, 1000, 3000, 10000, 30000], pile),
         Family("random", "scenes", list(range(200)) + OVERLAPPED_ONCE, list(range(10000)), random_family, collection=True,
                known=("random 1148", "random 1236", "random 1796", "random 2756", "random 3290", "random 8917")),
-        Family("friction", "coefficient of friction", [1e-12, 1e-6, 1e-3, 1.0], powers(-12, 6), friction, holds_to=1),
+        Family("friction", "coefficient of friction", [1e-12, 1e-6, 1e-3, 1.0, 10.0, 1e6], powers(-12, 6), friction),
         Family("restitution", "coefficient of restitution", [1e-12, 0.5, 1.0], [0.0, 1e-12, 1e-6, 1e-3, 0.1, 0.3, 0.5, 0.8, 0.9, 0.99, 0.999, 1.0], bounces),
         Family("seams", "speed / (m/s)", powers(0, 3), powers(0, 6), seams),
         Family("momentum", "cubes in space", [4, 16], [4, 9, 16, 36, 64, 100], momentum),

@@ -1,6 +1,8 @@
 // One step of time stepping, in closed form.
 #include "core/time/stepping/rattle_stepper.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/dynamics/momentum.h"
@@ -129,6 +131,30 @@ TEST(RattleStepper, WhatBouncesKeepsItsMomentaAndTheBooksClose) {
         EXPECT_NEAR(lost, 0.0, 1e-13);
       }
     }
+  }
+}
+
+/// A tilted cube in the corner of a floor and a wall that rub.
+///   |  /\
+///   | /  \
+///   | \  /
+///   +--\/---
+Scene corner(double mu) {
+  const double center = 0.4 * (std::cos(0.4) + std::sin(0.4));
+  Scene scene = on_floor({sized_cube("a", {center, center}, {0.8, 0.8}, 0.4)});
+  scene.planes.push_back({"wall", Vec2::Zero(), Vec2::UnitX(), {}});
+  for (ScenePlane& plane : scene.planes)
+    plane.material.friction = mu;
+  scene.cubes[0].material.friction = mu;
+  return scene;
+}
+
+TEST(RattleStepper, GapsAreNotOpenedAgainstFriction) {
+  for (const double mu : {1.0, 10.0, 1e6}) {
+    const Stepped s(corner(mu));
+    EXPECT_EQ(s.taken.book.audit.friction_inexact, 0);
+    EXPECT_NEAR(s.taken.state[0].angle, 0.4, 1e-12);
+    EXPECT_LT(s.taken.state[0].velocity.norm(), 1e-10);
   }
 }
 
