@@ -101,8 +101,8 @@ double work_of(const System& system, const Stride& stride, int number, const Sta
 /// and acts all the same lands.
 bool lasts(const System& system, const Stride& stride, const Blow& blow) {
   const double closing = closing_speed(system, stride, blow.start);
-  return is_near(system, blow.start, touching_share) && closing <= impact_steps
-         && closing >= -opening_steps;
+  return blow.start.gap <= touching_share * contact_scale(system, blow.start)
+         && closing <= impact_steps && closing >= -opening_steps;
 }
 
 /// The share of the step at which a gap closes at the speed of the start; 1 where it closes more slowly

@@ -134,11 +134,7 @@ TEST(RattleStepper, WhatBouncesKeepsItsMomentaAndTheBooksClose) {
   }
 }
 
-/// A tilted cube in the corner of a floor and a wall that rub.
-///   |  /\
-///   | /  \
-///   | \  /
-///   +--\/---
+/// A cube, tilted by 0.4, in the corner of a floor and a wall that rub: it touches each with one corner.
 Scene corner(double mu) {
   const double center = 0.4 * (std::cos(0.4) + std::sin(0.4));
   Scene scene = on_floor({sized_cube("a", {center, center}, {0.8, 0.8}, 0.4)});
