@@ -149,7 +149,7 @@ const Bookkeeping& IslandMotion::book() {
   for (std::size_t k = next_loss_; k < computed_.losses.size(); ++k) {
     const Loss& loss = computed_.losses[k];
     if (!loss.friction || loss.since >= time_) continue;
-    friction += loss.energy * (time_ - loss.since) / (loss.t - loss.since);
+    friction += loss.by(time_);
     under_way += loss.energy;
   }
   shown_.audit = computed_.audit;

@@ -43,9 +43,12 @@ void note_friction(
   for (int k = 1; k <= friction_parts; ++k) {
     const double share = static_cast<double>(k) / friction_parts;
     const double since = t + step.elapsed * (k - 1) / friction_parts;
+    look_at(step.motion, (k - 0.5) / friction_parts * step.elapsed / step.length, state);
+    const double middle = energy(system, state);
     if (k < friction_parts) look_at(step.motion, share * step.elapsed / step.length, state);
     const double after = energy(system, k < friction_parts ? state : step.end);
-    book.losses.push_back({t + share * step.elapsed, before - after, true, since});
+    book.losses.push_back(
+        {t + share * step.elapsed, before - after, true, since, 0.5 * (before + after) - middle});
     before = after;
   }
 }
