@@ -129,9 +129,10 @@ class JointReader {
     std::string name = entry.name;
     const Part* part = entry.in_frame ? nullptr : split_part(name, origin, key);
     end.body = find_body(names_, name, origin, key, source_);
-    if (end.body->kind == BodyKind::plane)
+    if (end.body->kind == BodyKind::plane) {
       fail_at(origin, key,
               fmt::format("\"{}\" is a plane; name a place [x, y] of the world instead", name));
+    }
     const bool elsewhere = part != nullptr || !entry.at.isZero(0.0);
     if (end.body->kind == BodyKind::point && elsewhere)
       fail_at(origin, key, fmt::format("\"{}\" is a point, which has no parts", name));
@@ -153,6 +154,7 @@ class JointReader {
     const auto found = std::ranges::find(parts, wanted, &Part::name);
     if (found != parts.end()) return &*found;
     std::vector<std::string_view> known;
+    known.reserve(std::size(parts));
     for (const Part& part : parts)
       known.push_back(part.name);
     fail_at(origin, key,
