@@ -67,9 +67,10 @@ FoundPlace PlaceFinder::find(const PlaceEntry& entry,
   std::string name = entry.name;
   const BodyPart* part = entry.in_frame ? nullptr : split_part(name, origin, key);
   end.body = find_body(names_, name, origin, key, source_);
-  if (end.body->kind == BodyKind::plane)
+  if (end.body->kind == BodyKind::plane) {
     fail_at(origin, key,
             fmt::format("\"{}\" is a plane; name a place [x, y] of the world instead", name));
+  }
   const bool elsewhere = part != nullptr || !entry.at.isZero(0.0);
   if (end.body->kind == BodyKind::point && elsewhere)
     fail_at(origin, key, fmt::format("\"{}\" is a point, which has no parts", name));

@@ -9,6 +9,7 @@
 #include "core/qp/coulomb/rest_program.h"
 #include "core/statics/carried.h"
 #include "core/statics/margins.h"
+#include "core/statics/move_margins.h"
 
 namespace wuerfel {
 namespace {
