@@ -126,6 +126,7 @@ Action declare_figure(Options& options) {
              asked->still.picture.fit);
   add_encoder_option(options, asked->still.picture.encoder);
   add_motion_options(options, asked->still.motion);
+  add_memory_option(options);
   return [asked, &options](const Stopwatch&) { return figure(*asked, options); };
 }
 
