@@ -32,10 +32,11 @@ Text bash_values(const CommandOptions& command) {
   Text text;
   for (const DeclaredOption& option : command.options) {
     if (option.type.empty()) continue;
-    const Text action = option.values.empty()
-                            ? "COMPREPLY=($(compgen -f -- \"$word\"))"
-                            : fmt::format("COMPREPLY=($(compgen -W {} -- \"$word\"))",
-                                          in_quotes(fmt::format("{}", fmt::join(option.values, " "))));
+    const Text action =
+        option.values.empty()
+            ? "COMPREPLY=($(compgen -f -- \"$word\"))"
+            : fmt::format("COMPREPLY=($(compgen -W {} -- \"$word\"))",
+                          in_quotes(fmt::format("{}", fmt::join(option.values, " "))));
     text += fmt::format("    '{0} {1}') {2}; return ;;\n", command.name,
                         fmt::join(option.names, fmt::format("'|'{} ", command.name)), action);
   }

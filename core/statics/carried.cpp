@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/momentum.h"
 #include "core/statics/margins.h"
 #include "core/statics/parts.h"
 
 namespace wuerfel {
 namespace {
-
-/// Sines of angles up to this are none.
-constexpr double parallel = 1e-9;
 
 /// One island's part of a cube, by its place in it.
 std::vector<int> part_of(const StillScene& still, const Island& island, int cube) {

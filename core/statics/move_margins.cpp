@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "core/dynamics/momentum.h"
 #include "core/statics/margins.h"
 
 namespace wuerfel {
 namespace {
 
-/// Sines of angles up to this are none.
-constexpr double parallel = 1e-9;
 /// Ends are bracketed to this share of the smaller side.
 constexpr double bracketed = 1e-9;
 constexpr double seen_to_fall = 1e-7;
@@ -22,9 +21,10 @@ class MoveSearch {
   MoveSearch(const StillScene& still, const MotionSettings& settings, const CarriedGroup& group)
       : still_(still), settings_(settings), group_(group) {
     side_ = unbounded;
-    for (const int cube : group.cubes)
-      if (still.system.body(cube).kind == BodyKind::cube)
-        side_ = std::min(side_, still.system.body(cube).smaller_side());
+    for (const int cube : group.cubes) {
+      const Body& body = still.system.body(cube);
+      if (body.kind == BodyKind::cube) side_ = std::min(side_, body.smaller_side());
+    }
   }
 
   [[nodiscard]] MovedScene at(double s) const { return move(still_, settings_, group_, s); }
@@ -191,9 +191,8 @@ double MoveMargins::expected_change(const CarriedGroup& group, double sense) con
   for (const PartStand& part : parts_) {
     const double moved = moved_mass(*still_, group, part.cubes);
     const double reach = sense > 0.0 ? part.shift.high : -part.shift.low;
-    if (moved > 0.0)
-      nearest = std::min(nearest,
-                         reach * part.mass / (moved * group.along.dot(right_of(still_->down()))));
+    const double along = group.along.dot(right_of(still_->down()));
+    if (moved > 0.0) nearest = std::min(nearest, reach * part.mass / (moved * along));
   }
   return sense * nearest;
 }

@@ -23,7 +23,7 @@
 #include "tests/support/image_golden.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel::testing {
+namespace wuerfel::test {
 namespace {
 
 constexpr int width = 480;
@@ -288,12 +288,12 @@ int run_mode(std::string_view argument) {
 }
 
 }  // namespace
-}  // namespace wuerfel::testing
+}  // namespace wuerfel::test
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   for (int i = 1; i < argc; ++i) {
-    const int status = wuerfel::testing::run_mode(argv[i]);
+    const int status = wuerfel::test::run_mode(argv[i]);
     if (status >= 0) return status;
   }
   return RUN_ALL_TESTS();

@@ -11,7 +11,7 @@
 #include "render/files/png.h"
 #include "render/raster/compare.h"
 
-namespace wuerfel::testing {
+namespace wuerfel::test {
 namespace {
 
 constexpr const char* update_variable = "WUERFEL_UPDATE_GOLDEN";
@@ -77,4 +77,4 @@ void update_golden(const std::string& renderer) { setenv(update_variable, render
                                        << (output_folder / (name + ".compare.png")).string();
 }
 
-}  // namespace wuerfel::testing
+}  // namespace wuerfel::test

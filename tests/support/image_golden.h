@@ -7,7 +7,7 @@
 
 #include "render/raster/image.h"
 
-namespace wuerfel::testing {
+namespace wuerfel::test {
 
 /// Succeeds where `actual` is the golden picture `name` (compare.h: equal pixels, else within the
 /// limits). A missing golden picture is a failure. On failure `name`.actual.png and
@@ -18,4 +18,4 @@ namespace wuerfel::testing {
 /// into the manifest.
 void update_golden(const std::string& renderer);
 
-}  // namespace wuerfel::testing
+}  // namespace wuerfel::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace wuerfel::testing {
+namespace wuerfel::test {
 namespace {
 
 SnapshotBox cube(const std::string& name, double x, double y, double angle, int color) {
@@ -157,4 +157,4 @@ View literal_view(const Snapshot& snapshot,
   return fit_view(bounds, width, height, frame_insets(style, options, width, height));
 }
 
-}  // namespace wuerfel::testing
+}  // namespace wuerfel::test

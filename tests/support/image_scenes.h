@@ -7,7 +7,7 @@
 #include "render/picture/style.h"
 #include "render/picture/view.h"
 
-namespace wuerfel::testing {
+namespace wuerfel::test {
 
 /// A small pyramid on a floor beside a slope, two falling cubes and a shelf, with everything that a
 /// layer can show.
@@ -27,4 +27,4 @@ View literal_view(const Snapshot& snapshot,
                   int width,
                   int height);
 
-}  // namespace wuerfel::testing
+}  // namespace wuerfel::test

@@ -21,7 +21,7 @@ TEST(Camera, ZoomsByAFactor) {
 }
 
 TEST(Camera, KeepsABodyInTheMiddle) {
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   const Camera camera = parse_camera("follow:g");
   for (int i = 0; i < 3; ++i) {
     snapshot.boxes[6].center += Vec2(0.5, -0.25);
@@ -32,7 +32,7 @@ TEST(Camera, KeepsABodyInTheMiddle) {
 }
 
 TEST(Camera, NamesTheBodyThatIsNotThere) {
-  EXPECT_THROW(camera_view(parse_camera("follow:nobody"), testing::pyramid_snapshot(), 64, 36),
+  EXPECT_THROW(camera_view(parse_camera("follow:nobody"), test::pyramid_snapshot(), 64, 36),
                UsageError);
 }
 

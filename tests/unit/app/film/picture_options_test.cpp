@@ -22,7 +22,7 @@ MotionRange range_of(const Snapshot& snapshot) {
 }
 
 TEST(LegendOf, NamesWhatOccursAndNothingElse) {
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   for (SnapshotJoint& joint : snapshot.joints)
     joint.unique = true;
   std::erase_if(snapshot.forces,
@@ -44,7 +44,7 @@ TEST(LegendOf, NamesWhatOccursAndNothingElse) {
 }
 
 TEST(FitScales, ComparesAccelerationsWithFreeFall) {
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   const double g = snapshot.gravity.norm();
   const auto arrow = [&] {
     return *fitted({Layer::accelerations}, range_of(snapshot)).acceleration_scale;
@@ -59,7 +59,7 @@ TEST(FitScales, ComparesAccelerationsWithFreeFall) {
 }
 
 TEST(FitScales, MakesForcesOfFreeBodiesShorter) {
-  const MotionRange range = range_of(testing::pyramid_snapshot());
+  const MotionRange range = range_of(test::pyramid_snapshot());
   PictureOptions apart;
   apart.layers = {Layer::forces};
   const double joined = fit_scales(apart, range).force_scale->metres_per_newton;

@@ -12,8 +12,8 @@ namespace {
 
 /// The literal pyramid and the triangles of Eq. (2), moved by `step` centimetres.
 Snapshot moved(int step) {
-  Snapshot snapshot = testing::pyramid_snapshot();
-  snapshot.sides = testing::two_cubes_snapshot().sides;
+  Snapshot snapshot = test::pyramid_snapshot();
+  snapshot.sides = test::two_cubes_snapshot().sides;
   snapshot.time = 0.1 * step;
   snapshot.energy = 100.0 - step;
   snapshot.boxes[6].center.y() -= 0.01 * step;

@@ -8,7 +8,7 @@ namespace wuerfel::test {
 namespace {
 
 TEST(HintAtSpecks, NamesTheViewOfTheLargestGroup) {
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   Bounds near;
   for (const SnapshotBox& box : snapshot.boxes)
     if (!box.fixed) near.include(box);

@@ -22,7 +22,7 @@ class Composition : public ::testing::Test {
  protected:
   DrawList compose(Layers layers) {
     options.layers = layers;
-    view = testing::literal_view(snapshot, style, options, 640, 360);
+    view = test::literal_view(snapshot, style, options, 640, 360);
     return compose_frame(snapshot, view, style, options, font);
   }
   /// Arrows of a colour without their halos.
@@ -34,9 +34,9 @@ class Composition : public ::testing::Test {
     return found;
   }
 
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   Style style = make_style(Theme::light);
-  FrameOptions options = testing::literal_options(default_layers);
+  FrameOptions options = test::literal_options(default_layers);
   View view;
   Font font;
 };
@@ -208,7 +208,7 @@ TEST_F(Composition, TensionAndCompressionHaveTheirColours) {
 }
 
 TEST_F(Composition, TrianglesOfEquation2ShowTheirSign) {
-  snapshot = testing::two_cubes_snapshot();
+  snapshot = test::two_cubes_snapshot();
   const DrawList list = compose({Layer::sides});
   ASSERT_EQ(list.triangles.size(), 2U);
   EXPECT_EQ(list.triangles[0].outline, style.positive_side);
@@ -223,7 +223,7 @@ TEST_F(Composition, HudStaysInsideThePictureAtEverySize) {
   for (const auto& [width, height] :
        {std::pair(1280, 720), std::pair(320, 180), std::pair(200, 400)}) {
     options.layers = default_layers;
-    view = testing::literal_view(snapshot, style, options, width, height);
+    view = test::literal_view(snapshot, style, options, width, height);
     const DrawList list = compose_frame(snapshot, view, style, options, font);
     ASSERT_GE(list.texts.size(), 2U);
     for (const TextShape& text : list.texts) {
@@ -261,7 +261,7 @@ TEST_F(Composition, LinesAndTextGrowWithThePicture) {
   options.layers = default_layers;
   const auto title_size = [&](int width, int height, double scale) {
     options.scale = scale;
-    view = testing::literal_view(snapshot, style, options, width, height);
+    view = test::literal_view(snapshot, style, options, width, height);
     return compose_frame(snapshot, view, style, options, font).texts.front().size;
   };
   const float normal = title_size(1280, 720, 1.0);
@@ -312,7 +312,7 @@ TEST_F(Composition, HudHasAPlateBehindIt) {
 
 TEST_F(Composition, PlatesHaveTheColoursOfWhatTheyHide) {
   // The edge of a wall runs through the title: ground on its left, background on its right.
-  view = testing::literal_view(snapshot, style, options, 640, 360);
+  view = test::literal_view(snapshot, style, options, 640, 360);
   const Vec2 place = view.to_world(Vec2(60.0, 20.0));
   snapshot.planes.push_back({"wall", place, Vec2::UnitX()});
   options.layers = {Layer::cubes, Layer::hud};
@@ -432,7 +432,7 @@ TEST_F(Composition, TimeAndEnergyNeverMeet) {
 
 TEST_F(Composition, PartsOfTheHudAreDroppedWhereThereIsNoRoom) {
   for (const auto& [width, height] : {std::pair(64, 64), std::pair(100, 16), std::pair(201, 77)}) {
-    view = testing::literal_view(snapshot, style, options, width, height);
+    view = test::literal_view(snapshot, style, options, width, height);
     const DrawList list = compose_frame(snapshot, view, style, options, font);
     EXPECT_TRUE(list.texts.empty()) << width;
     EXPECT_GT(view.pixels_per_metre, 2.0) << "the scene is seen";
@@ -464,7 +464,7 @@ TEST(Units, TimesHaveTheDigitsThatTellFramesApart) {
 }
 
 TEST(BodyColors, TellLoadsSpeedsAndIslands) {
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   const Style style = make_style(Theme::light);
   const auto loads_of = loads(snapshot);
   EXPECT_DOUBLE_EQ(loads_of[1], 20.0);
@@ -544,7 +544,7 @@ TEST_F(Composition, InstanceMasksAreNumbersAndWholePixels) {
   Renderer renderer;
   Image image;
   options.layers = {Layer::instances};
-  view = testing::literal_view(snapshot, style, options, 320, 180);
+  view = test::literal_view(snapshot, style, options, 320, 180);
   renderer.draw(compose_frame(snapshot, view, style, options, font), image);
   const Vec2 middle = view.to_pixel(Vec2(2.0, 0.5));
   const Color color = image.at(static_cast<int>(middle.x()), static_cast<int>(middle.y()));

@@ -15,7 +15,7 @@ class Symbols : public ::testing::Test {
  protected:
   /// The corner of a turned cube above the middle of a side, as in Figure 5.
   static Snapshot corner_on_side() {
-    Snapshot snapshot = testing::two_cubes_snapshot();
+    Snapshot snapshot = test::two_cubes_snapshot();
     snapshot.sides.clear();
     snapshot.boxes[0].velocity = Vec2(0.0, 0.25);
     snapshot.contacts.push_back({Vec2(-0.5, 0.5), Vec2(0.5, 0.5), Vec2(0.25, 0.5), Vec2::UnitY(),
@@ -24,7 +24,7 @@ class Symbols : public ::testing::Test {
   }
   DrawList compose(Layers layers) {
     options.layers = layers;
-    view = testing::literal_view(snapshot, style, options, 800, 450);
+    view = test::literal_view(snapshot, style, options, 800, 450);
     return compose_frame(snapshot, view, style, options, font);
   }
   /// All that is written, from left to right as it was added.
@@ -37,7 +37,7 @@ class Symbols : public ::testing::Test {
 
   Snapshot snapshot = corner_on_side();
   Style style = make_style(Theme::light);
-  FrameOptions options = testing::literal_options(default_layers);
+  FrameOptions options = test::literal_options(default_layers);
   View view;
   Font font;
 };
@@ -87,7 +87,7 @@ TEST_F(Symbols, MakeVelocitiesThoseOfThePoints) {
 }
 
 TEST_F(Symbols, TellTheSignsOfAreas) {
-  snapshot = testing::two_cubes_snapshot();
+  snapshot = test::two_cubes_snapshot();
   const std::string all = written(compose({Layer::cubes, Layer::sides, Layer::symbols}));
   for (const char* wanted : {"A 1  > 0", "A 2  < 0", "A = 0"})
     EXPECT_NE(all.find(wanted), std::string::npos) << wanted << " in " << all;

@@ -45,7 +45,7 @@ class Pipeline : public ::testing::Test {
  protected:
   /// The literal pyramid with one cube moved by `step` centimetres.
   static Snapshot moved(int step) {
-    Snapshot snapshot = testing::pyramid_snapshot();
+    Snapshot snapshot = test::pyramid_snapshot();
     snapshot.boxes[6].center.y() -= 0.01 * step;
     snapshot.time = 0.1 * step;
     snapshot.revision = static_cast<std::uint64_t>(step);
@@ -64,7 +64,7 @@ class Pipeline : public ::testing::Test {
 
   View view = fixed_view(Vec2(0.0, 2.0), 10.0, 160, 90);
   PipelineSettings settings{make_style(Theme::light),
-                            testing::literal_options({Layer::cubes, Layer::forces}),
+                            test::literal_options({Layer::cubes, Layer::forces}),
                             {},
                             PngEncoder::isa_l};
 };

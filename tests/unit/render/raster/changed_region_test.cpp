@@ -55,10 +55,10 @@ TEST_F(InChanges, FramesOfAFilmAreAsIfDrawnAlone) {
   for (const Theme theme : {Theme::light, Theme::dark, Theme::print, Theme::transparent}) {
     const Style style = make_style(theme);
     const FrameOptions options =
-        testing::literal_options({Layer::cubes, Layer::rods, Layer::forces, Layer::velocities,
+        test::literal_options({Layer::cubes, Layer::rods, Layer::forces, Layer::velocities,
                                   Layer::contacts, Layer::names, Layer::hud});
-    Snapshot snapshot = testing::pyramid_snapshot();
-    const View view = testing::literal_view(snapshot, style, options, 320, 180);
+    Snapshot snapshot = test::pyramid_snapshot();
+    const View view = test::literal_view(snapshot, style, options, 320, 180);
     for (int i = 0; i < 12; ++i) {
       snapshot.boxes[6].center += Vec2(0.013, -0.02);
       snapshot.boxes[6].angle += 0.05;

@@ -186,12 +186,12 @@ TEST(Renderer, TransparentPictureHasStraightAlpha) {
 
 TEST(Renderer, OpaquePictureStaysOpaque) {
   Image image;
-  const Snapshot snapshot = testing::pyramid_snapshot();
+  const Snapshot snapshot = test::pyramid_snapshot();
   const Style style = make_style(Theme::light);
   const FrameOptions options =
-      testing::literal_options({Layer::cubes, Layer::sides, Layer::forces, Layer::trails,
+      test::literal_options({Layer::cubes, Layer::sides, Layer::forces, Layer::trails,
                                 Layer::rods, Layer::names, Layer::hud});
-  draw_frame(shared_renderer(), snapshot, testing::literal_view(snapshot, style, options, 640, 360),
+  draw_frame(shared_renderer(), snapshot, test::literal_view(snapshot, style, options, 640, 360),
              style, options, image);
   EXPECT_TRUE(image.opaque());
 }
@@ -200,11 +200,11 @@ class Pyramid : public ::testing::Test {
  protected:
   Image drawn(const View& shown, Layers layers) {
     Image image;
-    FrameOptions options = testing::literal_options(layers);
+    FrameOptions options = test::literal_options(layers);
     draw_frame(shared_renderer(), snapshot, shown, style, options, image);
     return image;
   }
-  Snapshot snapshot = testing::pyramid_snapshot();
+  Snapshot snapshot = test::pyramid_snapshot();
   Style style = make_style(Theme::light);
   View view = fixed_view(Vec2(0.0, 1.5), 10.0, 640, 360);  // 64 px per metre: exact in binary
 };

@@ -33,10 +33,10 @@ class VectorFigure : public ::testing::Test {
 
   DrawList compose(Theme theme, Layers layers) {
     const bool sides = layers.has(Layer::sides);
-    const Snapshot snapshot = sides ? testing::two_cubes_snapshot() : testing::pyramid_snapshot();
+    const Snapshot snapshot = sides ? test::two_cubes_snapshot() : test::pyramid_snapshot();
     const Style style = make_style(theme);
-    const FrameOptions options = testing::literal_options(layers);
-    return compose_frame(snapshot, testing::literal_view(snapshot, style, options, 640, 360), style,
+    const FrameOptions options = test::literal_options(layers);
+    return compose_frame(snapshot, test::literal_view(snapshot, style, options, 640, 360), style,
                          options, font);
   }
 
