@@ -36,6 +36,14 @@ double parse_positive(std::string_view option, std::string_view text) {
   return value;
 }
 
+double parse_bytes(std::string_view option, std::string_view text) {
+  constexpr std::string_view units = "kMGT";
+  const std::size_t unit = text.empty() ? std::string_view::npos : units.find(text.back());
+  if (unit == std::string_view::npos) return parse_positive(option, text);
+  text.remove_suffix(1);
+  return parse_positive(option, text) * std::pow(1000.0, static_cast<double>(unit + 1));
+}
+
 double parse_paper_length(std::string_view option, std::string_view text) {
   struct Unit {
     std::string_view name;

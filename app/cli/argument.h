@@ -18,6 +18,9 @@ double parse_number(std::string_view option, std::string_view text);
 /// A number > 0.
 double parse_positive(std::string_view option, std::string_view text);
 
+/// A number of bytes > 0: "800k", "500M", "4G", "1.5T" or in bytes.
+double parse_bytes(std::string_view option, std::string_view text);
+
 /// A length on paper in mm: "84mm", "3.5in", "9cm" or "240pt".
 double parse_paper_length(std::string_view option, std::string_view text);
 

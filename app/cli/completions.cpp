@@ -14,7 +14,7 @@ using Text = std::string;
 constexpr std::string_view scene_names = "wuerfel scenes 2>/dev/null | cut -d' ' -f1";
 
 // In single quotes, for any shell.
-Text quoted(std::string_view text) {
+Text in_quotes(std::string_view text) {
   Text quoted = "'";
   for (const char letter : text)
     quoted += letter == '\'' ? Text("'\\''") : Text(1, letter);
@@ -35,7 +35,7 @@ Text bash_values(const CommandOptions& command) {
     const Text action = option.values.empty()
                             ? "COMPREPLY=($(compgen -f -- \"$word\"))"
                             : fmt::format("COMPREPLY=($(compgen -W {} -- \"$word\"))",
-                                          quoted(fmt::format("{}", fmt::join(option.values, " "))));
+                                          in_quotes(fmt::format("{}", fmt::join(option.values, " "))));
     text += fmt::format("    '{0} {1}') {2}; return ;;\n", command.name,
                         fmt::join(option.names, fmt::format("'|'{} ", command.name)), action);
   }
@@ -90,14 +90,14 @@ Text zsh_option(const DeclaredOption& option, const Text& name) {
       option.values.empty() ? Text("_files") : fmt::format("({})", fmt::join(option.values, " "));
   const Text value =
       option.type.empty() ? "" : fmt::format(":{}:{}", zsh_meaning(option.type), values);
-  return quoted(fmt::format("*{}[{}]{}", name, zsh_meaning(option.meaning), value));
+  return in_quotes(fmt::format("*{}[{}]{}", name, zsh_meaning(option.meaning), value));
 }
 
 Text zsh(const std::vector<CommandOptions>& commands) {
   Text list;
   Text cases;
   for (const CommandOptions& command : commands) {
-    list += "    " + quoted(command.name + ":" + command.meaning) + "\n";
+    list += "    " + in_quotes(command.name + ":" + command.meaning) + "\n";
     cases += fmt::format("    {}) _arguments", command.name);
     for (const DeclaredOption& option : command.options) {
       for (const Text& name : option.names)
@@ -137,15 +137,15 @@ Text fish_option(const CommandOptions& command, const DeclaredOption& option) {
     line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!option.type.empty()) line += " -r";
   if (!option.values.empty())
-    line += " -f -a " + quoted(fmt::format("{}", fmt::join(option.values, " ")));
-  return line + " -d " + quoted(option.meaning) + "\n";
+    line += " -f -a " + in_quotes(fmt::format("{}", fmt::join(option.values, " ")));
+  return line + " -d " + in_quotes(option.meaning) + "\n";
 }
 
 Text fish(const std::vector<CommandOptions>& commands) {
   Text text = "# Completions of wuerfel for fish.\n";
   for (const CommandOptions& command : commands)
     text += fmt::format("complete -c wuerfel -n __fish_use_subcommand -f -a {} -d {}\n",
-                        command.name, quoted(command.meaning));
+                        command.name, in_quotes(command.meaning));
   for (const CommandOptions& command : commands) {
     for (const DeclaredOption& option : command.options)
       text += fish_option(command, option);

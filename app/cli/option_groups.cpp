@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/cli/memory_limit.h"
 #include "app/cli/picture_values.h"
 
 namespace wuerfel {
@@ -60,6 +61,11 @@ double parse_tolerance(const Text& text) {
 }
 
 }  // namespace
+
+void add_memory_option(Options& options) {
+  options.single("--max-memory", "SIZE", "stop where more memory is held, as 500M or 4G [no limit]",
+                 [](const Text& text) { limit_memory(parse_bytes("--max-memory", text)); });
+}
 
 void add_threads_option(Options& options, int& threads) {
   options.single("--threads", "N", "scenes that are worked on at once [one per core]",

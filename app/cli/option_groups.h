@@ -40,6 +40,8 @@ void add_scenes(Options& options,
                 std::vector<std::string>& overrides);
 /// -j, --jobs.
 void add_jobs_option(Options& options, int& threads);
+/// --max-memory, which holds from then on.
+void add_memory_option(Options& options);
 /// --threads.
 void add_threads_option(Options& options, int& threads);
 /// --formulation and --solver.

@@ -1,5 +1,7 @@
 #include "app/cli/stop_signal.h"
 
+#include "app/cli/memory_limit.h"
+
 namespace wuerfel {
 
 namespace {
@@ -30,6 +32,7 @@ StopSignal::~StopSignal() {
 
 void StopSignal::check() const {
   if (noted_signal != 0) throw Interrupted{noted_signal};
+  check_memory();
 }
 
 }  // namespace wuerfel

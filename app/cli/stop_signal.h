@@ -24,7 +24,7 @@ class StopSignal {
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
 
-  /// Throws Interrupted if there is a note.
+  /// Throws Interrupted if there is a note, MemoryExceeded where --max-memory is passed.
   void check() const;
 
  private:

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/argument.h"
+#include "app/cli/memory_limit.h"
 #include "app/cli/option_groups.h"
 #include "app/cli/progress.h"
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
+#include "app/commands/estimate.h"
 #include "app/commands/idle_options.h"
 #include "app/commands/letters.h"
 #include "app/commands/run_books.h"
@@ -132,6 +134,9 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   });
   Simulation simulation = begin(job, resumed);
 
+  const std::string work = estimate(asked, scene, plan);
+  if (!work.empty() && !asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
+
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&stop] { stop.check(); };
   const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
@@ -158,9 +163,15 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   } catch (const Interrupted&) {
     keeper.write(accuracy);
     throw;
+  } catch (const MemoryExceeded&) {
+    keeper.write(accuracy);
+    throw;
   }
   cost.frames = books.frames();
   cost.frames_reused = books.reused();
+  if (books.labels_left_out() > 0)
+    notes.add(fmt::format("up to {} labels of a frame have no room and are left out",
+                          books.labels_left_out()));
   cost.wall_s = watch.wall();
   cost.cpu_s = watch.cpu();
   const ExitCode code = accuracy.verdict(notes);
@@ -226,6 +237,7 @@ void declare_outputs(Options& options, RunOptions& asked) {
   options.flag("--json", "print the summary as JSON", asked.json);
   options.flag("--quiet", "no progress and no notes", asked.quiet);
   add_threads_option(options, asked.threads);
+  add_memory_option(options);
 }
 
 }  // namespace

@@ -125,6 +125,7 @@ Action declare_sweep_run(Options& options) {
                    asked->shard_given = true;
                  });
   add_jobs_option(options, asked->choice.threads);
+  add_memory_option(options);
   options.single("--time-budget", "TIME",
                  "begin no sample afterwards, as 3h50m: exit code 75 where some are left",
                  [asked](const std::string& text) {

@@ -25,7 +25,8 @@ namespace {
 struct PyCheck {
   PyScene scene;
   Check answer;
-  py::dict data;
+  nlohmann::ordered_json json;
+  py::object data;  ///< the same as a dict, once somebody has asked for it
 };
 
 py::dict dict_of(const nlohmann::ordered_json& json) {
@@ -41,6 +42,20 @@ StaticsRequest request_of(bool margin, bool ranges, const std::vector<std::strin
   return request;
 }
 
+/// Made without the GIL.
+struct Answer {
+  Check check;
+  nlohmann::ordered_json json;
+};
+
+Answer answer(const Scene& scene, const StaticsRequest& request, const MotionSettings& settings) {
+  Answer made{wuerfel::check(scene, settings), {}};
+  made.json = check_json(scene, made.check);
+  Notes notes(Notes::Voice::quiet);
+  StaticsAnswer(scene, settings, request, made.check.verdict, notes).add_to(made.json);
+  return made;
+}
+
 py::array_t<double> accelerations(const PyCheck& check) {
   py::array_t<double> array(
       {static_cast<py::ssize_t>(check.answer.accelerations.size()), py::ssize_t{3}});
@@ -53,32 +68,6 @@ py::array_t<double> accelerations(const PyCheck& check) {
   return array;
 }
 
-py::list check_many(const std::vector<py::object>& sources, int threads) {
-  const std::vector<Attempt<PyScene>> scenes = load_scenes(sources);
-  Interruption interruption;
-  std::vector<Attempt<Check>> attempts;
-  {
-    const py::gil_scoped_release others;
-    attempts = work_on_each({thread_count(threads), [&] { interruption.check(); }},
-                            static_cast<int>(scenes.size()), [&](int i) {
-                              return attempt([&] {
-                                if (scenes[i].failure) std::rethrow_exception(scenes[i].failure);
-                                return wuerfel::check(scenes[i].answer.scene, {});
-                              });
-                            });
-  }
-  py::list results;
-  for (std::size_t i = 0; i < attempts.size(); ++i) {
-    if (attempts[i].failure != nullptr) {
-      results.append(exception_object(attempts[i].failure));
-    } else {
-      const py::dict data = dict_of(check_json(scenes[i].answer.scene, attempts[i].answer));
-      results.append(PyCheck{scenes[i].answer, std::move(attempts[i].answer), data});
-    }
-  }
-  return results;
-}
-
 MotionSettings settings_of(const std::string& formulation, const std::string& solver) {
   MotionNames names;
   names.formulation = formulation;
@@ -89,18 +78,41 @@ MotionSettings settings_of(const std::string& formulation, const std::string& so
 PyCheck check_one(const py::object& source,
                   const StaticsRequest& request,
                   const MotionSettings& settings) {
-  PyCheck check{load_scene(source), {}, {}};
-  nlohmann::ordered_json json;
+  PyScene scene = load_scene(source);
+  Answer made;
   {
     const py::gil_scoped_release others;
-    const Scene& scene = check.scene.scene;
-    check.answer = wuerfel::check(scene, settings);
-    json = check_json(scene, check.answer);
-    Notes notes(Notes::Voice::quiet);
-    StaticsAnswer(scene, settings, request, check.answer.verdict, notes).add_to(json);
+    made = answer(scene.scene, request, settings);
   }
-  check.data = dict_of(json);
-  return check;
+  return {std::move(scene), std::move(made.check), std::move(made.json), {}};
+}
+
+py::list check_many(const std::vector<py::object>& sources,
+                    const StaticsRequest& request,
+                    const MotionSettings& settings,
+                    int threads) {
+  const std::vector<Attempt<PyScene>> scenes = load_scenes(sources);
+  Interruption interruption;
+  std::vector<Attempt<Answer>> attempts;
+  {
+    const py::gil_scoped_release others;
+    attempts = work_on_each({thread_count(threads), [&] { interruption.check(); }},
+                            static_cast<int>(scenes.size()), [&](int i) {
+                              return attempt([&] {
+                                if (scenes[i].failure) std::rethrow_exception(scenes[i].failure);
+                                return answer(scenes[i].answer.scene, request, settings);
+                              });
+                            });
+  }
+  py::list results;
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    auto& [made, failure] = attempts[i];
+    if (failure != nullptr)
+      results.append(exception_object(failure));
+    else
+      results.append(PyCheck{scenes[i].answer, std::move(made.check), std::move(made.json), {}});
+  }
+  return results;
 }
 
 py::dict explain_one(const py::object& source,
@@ -117,8 +129,14 @@ py::dict explain_one(const py::object& source,
   return dict_of(json);
 }
 
-py::object key_of(const PyCheck& check, const char* key) {
-  return check.data.contains(key) ? py::object(check.data[key]) : py::none();
+py::dict data_of(PyCheck& check) {
+  if (!check.data) check.data = dict_of(check.json);
+  return check.data;
+}
+
+py::object key_of(PyCheck& check, const char* key) {
+  const py::dict data = data_of(check);
+  return data.contains(key) ? py::object(data[key]) : py::none();
 }
 
 }  // namespace
@@ -170,16 +188,15 @@ void bind_check(py::module_& module) {
       .def_property_readonly("accelerations", &accelerations,
                              "(cubes, 3) float64: ax, ay (m/s^2), alpha (rad/s^2)")
       .def_property_readonly(
-          "contacts", [](const PyCheck& c) { return key_of(c, "contacts"); },
+          "contacts", [](PyCheck& c) { return key_of(c, "contacts"); },
           "Dicts with the keys of `check --json`.")
       .def_property_readonly(
-          "facts", [](const PyCheck& c) { return key_of(c, "facts"); },
-          "Of scenes that rub, else None.")
+          "facts", [](PyCheck& c) { return key_of(c, "facts"); }, "Of scenes that rub, else None.")
       .def_property_readonly(
-          "margin", [](const PyCheck& c) { return key_of(c, "margin"); },
+          "margin", [](PyCheck& c) { return key_of(c, "margin"); },
           "Where it was asked for, with the keys of `check --margin --json`, else None.")
       .def(
-          "to_dict", [](const PyCheck& c) { return c.data; },
+          "to_dict", [](PyCheck& c) { return data_of(c); },
           "All of it, with the keys of `check --json`.")
       .def_property_readonly("objective", [](const PyCheck& c) { return c.answer.objective; })
       .def_property_readonly("kkt_residual", [](const PyCheck& c) { return c.answer.kkt_residual; })
@@ -211,9 +228,18 @@ void bind_check(py::module_& module) {
       py::arg("formulation") = usual.formulation, py::arg("solver") = usual.solver,
       "Why a scene falls and what would help, or how nearly it stands: a dict with the keys of "
       "`explain --json`; \"text\" has the sentences.");
-  module.def("check_many", &check_many, py::arg("scenes"), py::kw_only(), py::arg("threads") = 0,
-             "A Check per scene, in order, by threads (0: one per core); an exception object in "
-             "place of one that failed.");
+  module.def(
+      "check_many",
+      [](const std::vector<py::object>& scenes, int threads, bool margin, bool ranges,
+         const std::string& formulation, const std::string& solver) {
+        return check_many(scenes, request_of(margin, ranges, {}), settings_of(formulation, solver),
+                          threads);
+      },
+      py::arg("scenes"), py::kw_only(), py::arg("threads") = 0, py::arg("margin") = false,
+      py::arg("ranges") = false, py::arg("formulation") = usual.formulation,
+      py::arg("solver") = usual.solver,
+      "A Check per scene, in order, by threads (0: one per core); an exception object in "
+      "place of one that failed.");
 }
 
 }  // namespace wuerfel::python

@@ -31,17 +31,36 @@ def build_module(folder):
     return {name: os.path.join(package, name) for name in sorted(os.listdir(package))}
 
 
+def platform():
+    return sysconfig.get_platform().replace("-", "_").replace(".", "_")
+
+
 def metadata():
     return (f"Metadata-Version: 2.1\nName: wuerfel\nVersion: {version()}\n"
             "Summary: Falling cubes in the plane by Gauss' principle of least constraint\n"
             "Requires-Python: >=3.9\nRequires-Dist: numpy\n")
 
 
+def info_files():
+    tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    return {"METADATA": metadata().encode(),
+            "WHEEL": f"Wheel-Version: 1.0\nGenerator: wuerfel\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform()}\n".encode()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """So that nothing is built only to be asked for its name."""
+    info = f"wuerfel-{version()}.dist-info"
+    os.mkdir(os.path.join(metadata_directory, info))
+    for name, data in info_files().items():
+        with open(os.path.join(metadata_directory, info, name), "wb") as file:
+            file.write(data)
+    return info
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """WUERFEL_BUILD names a folder that is kept, so that the next build is quick."""
     tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
-    platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
-    name = f"wuerfel-{version()}-{tag}-{tag}-{platform}.whl"
+    name = f"wuerfel-{version()}-{tag}-{tag}-{platform()}.whl"
     info = f"wuerfel-{version()}.dist-info"
     with tempfile.TemporaryDirectory() as scratch:
         files = build_module(os.environ.get("WUERFEL_BUILD", scratch))
@@ -49,8 +68,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         for file, path in files.items():
             with open(path, "rb") as source:
                 contents[f"wuerfel/{file}"] = source.read()
-    contents[f"{info}/METADATA"] = metadata().encode()
-    contents[f"{info}/WHEEL"] = (f"Wheel-Version: 1.0\nGenerator: wuerfel\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n").encode()
+    contents.update((f"{info}/{file}", data) for file, data in info_files().items())
     record = "".join(f"{path},sha256={base64.urlsafe_b64encode(hashlib.sha256(data).digest()).decode().rstrip('=')},{len(data)}\n"
                      for path, data in contents.items())
     contents[f"{info}/RECORD"] = (record + f"{info}/RECORD,,\n").encode()

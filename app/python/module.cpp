@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include "app/python/answers.h"
+#include "app/python/films.h"
 #include "app/python/pictures.h"
 #include "app/python/scene.h"
 #include "app/python/simulation.h"
@@ -13,4 +14,5 @@ PYBIND11_MODULE(_core, module) {
   wuerfel::python::bind_check(module);
   wuerfel::python::bind_simulation(module);
   wuerfel::python::bind_pictures(module);
+  wuerfel::python::bind_films(module);
 }

@@ -8,7 +8,6 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/picture_values.h"
-#include "app/film/picture_options.h"
 #include "app/film/recording.h"
 #include "app/python/simulation.h"
 #include "app/sweep/instance_mask.h"
@@ -20,27 +19,6 @@ namespace wuerfel::python {
 namespace py = pybind11;
 
 namespace {
-
-/// Options by the names of the command line.
-struct PictureNames {
-  std::pair<int, int> size{1280, 720};
-  std::string layers = to_string(default_layers);
-  std::string theme = "light";
-  std::string view = "fit";
-  double scale = 1.0;
-
-  [[nodiscard]] PictureOptions options() const {
-    PictureOptions picture;
-    picture.size = parse_pixel_size(fmt::format("{}x{}", size.first, size.second));
-    picture.layers = parse_layers(layers);
-    picture.theme = parse_theme(theme);
-    picture.camera = parse_camera(view);
-    if (!(scale > 0.0 && scale <= 100.0)) throw UsageError("scale must be between 0 and 100");
-    picture.scale = scale;
-    picture.fit = Fit::instant;
-    return picture;
-  }
-};
 
 // One for each thread that draws; they live as long as the module.
 Renderer& renderer() {
@@ -105,7 +83,8 @@ py::object render(const py::object& source,
                   double t,
                   const PictureNames& names,
                   const std::string& mode) {
-  const PictureOptions options = names.options();
+  PictureOptions options = names.options();
+  options.fit = Fit::instant;
   if (py::isinstance<PySimulation>(source)) {
     if (t != 0.0) throw UsageError("t is for scenes; a simulation is drawn as it is");
     return render_at(source.cast<const PySimulation&>(), options, mode);
@@ -116,6 +95,17 @@ py::object render(const py::object& source,
 }
 
 }  // namespace
+
+PictureOptions PictureNames::options() const {
+  PictureOptions picture;
+  picture.size = parse_pixel_size(fmt::format("{}x{}", size.first, size.second));
+  picture.layers = parse_layers(layers);
+  picture.theme = parse_theme(theme);
+  picture.camera = parse_camera(view);
+  if (!(scale > 0.0 && scale <= 100.0)) throw UsageError("scale must be between 0 and 100");
+  picture.scale = scale;
+  return picture;
+}
 
 void bind_pictures(py::module_& module) {
   const PictureNames usual;
@@ -130,9 +120,7 @@ void bind_pictures(py::module_& module) {
       py::arg("view") = usual.view, py::arg("scale") = usual.scale, py::arg("mode") = "picture",
       "A picture of a scene at t (s), or of a simulation as it is: (height, width, 4) uint8 RGBA, "
       "the pixels of `wuerfel figure --fit instant`. With mode=\"instance\" (height, width) "
-      "uint16: the number "
-      "of "
-      "the cube that each pixel shows, from 1, and 0 elsewhere.");
+      "uint16: the number of the cube that each pixel shows, from 1, and 0 elsewhere.");
 }
 
 }  // namespace wuerfel::python

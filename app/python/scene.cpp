@@ -85,6 +85,15 @@ void bind_scene(py::module_& module) {
       .def_property_readonly(
           "hash", [](const PyScene& scene) { return text_hash(scene.json()); },
           "As in the summary of a run.")
+      .def(py::pickle(
+          [](const PyScene& scene) {
+            return py::make_tuple(scene.text.name, scene.text.text, scene.overrides);
+          },
+          [](const py::tuple& state) {
+            const SceneText text{state[0].cast<std::string>(), state[1].cast<std::string>()};
+            const auto overrides = state[2].cast<std::vector<std::string>>();
+            return PyScene{text, overrides, parse(text, overrides)};
+          }))
       .def("__repr__", &repr)
       .def("__len__", [](const PyScene& scene) { return scene.scene.cubes.size(); })
       .def(

@@ -7,7 +7,9 @@
 
 #include "app/cli/choice.h"
 #include "app/python/answers.h"
+#include "app/python/checkpoints.h"
 #include "core/check_many.h"
+#include "core/time/restart_point.h"
 
 namespace wuerfel::python {
 
@@ -172,10 +174,46 @@ py::list event_list(const std::vector<Event>& events) {
 }
 
 PySimulation::PySimulation(PyScene scene, const MotionNames& motion)
+    : PySimulation(std::move(scene), motion, "") {}
+
+PySimulation::PySimulation(PyScene scene, MotionNames motion, const std::string& restart_point)
     : scene_(std::move(scene)),
+      motion_(std::move(motion)),
       interruption_(std::make_unique<Interruption>()),
-      simulation_(std::make_unique<Simulation>(scene_.scene, motion.settings())) {
+      restarts_(std::make_unique<RestartPoints>()) {
+  const std::size_t cubes = scene_.scene.cubes.size();
+  if (restart_point.empty()) {
+    simulation_ = std::make_unique<Simulation>(scene_.scene, motion_.settings());
+  } else {
+    simulation_ = std::make_unique<Simulation>(scene_.scene, motion_.settings(), restart_point);
+    restarts_->note(restart_point, cubes);
+  }
   simulation_->set_pulse([watch = interruption_.get()] { watch->check(); });
+  simulation_->set_restart_listener([restarts = restarts_.get(), cubes](std::string point) {
+    restarts->note(std::move(point), cubes);
+  });
+}
+
+PySimulation::PySimulation(PySimulation&&) noexcept = default;
+PySimulation& PySimulation::operator=(PySimulation&&) noexcept = default;
+PySimulation::~PySimulation() = default;
+
+PySimulation PySimulation::restored(std::string_view bytes) {
+  try {
+    SimulationRecord record = record_of(bytes);
+    PyScene scene{{"checkpoint", std::move(record.scene)}, {}, {}};
+    scene.scene = parse(scene.text, {});
+    PySimulation simulation(std::move(scene), std::move(record.motion), record.restart_point);
+    simulation.advance_to(record.t);
+    return simulation;
+  } catch (const RestartError& error) {
+    throw UsageError(fmt::format("checkpoint: the bytes are damaged: {}", error.what()));
+  }
+}
+
+std::string PySimulation::checkpoint() const {
+  const double t = get().time();
+  return to_bytes({scene_.json(), motion_, t, restarts_->before(t)});
 }
 
 const Simulation& PySimulation::get() const {
@@ -188,6 +226,7 @@ void PySimulation::advance_to(double t) {
     throw UsageError(fmt::format("the simulation is at {} s and cannot go to {}", get().time(), t));
   const py::gil_scoped_release others;
   try {
+    restarts_->expect(t);
     simulation_->advance_to(t);
   } catch (...) {
     simulation_.reset();
@@ -214,6 +253,15 @@ void bind_simulation(py::module_& module) {
            "Options as of `wuerfel run`.")
       .def("advance_to", &PySimulation::advance_to, py::arg("t"),
            "Moves on to time t (s) exactly; the state is that just after an event that falls on t.")
+      .def(
+          "checkpoint", [](const PySimulation& s) { return py::bytes(s.checkpoint()); },
+          "Bytes that `restore` makes the simulation of again: it goes on to the same bits.")
+      .def_static(
+          "restore", [](const std::string& bytes) { return PySimulation::restored(bytes); },
+          py::arg("checkpoint"), "The simulation of these bytes, at the time it had.")
+      .def(py::pickle(
+          [](const PySimulation& s) { return py::bytes(s.checkpoint()); },
+          [](const py::bytes& bytes) { return PySimulation::restored(std::string(bytes)); }))
       .def_property_readonly(
           "time", [](const PySimulation& s) { return s.get().time(); }, "s")
       .def_property_readonly(

@@ -25,18 +25,30 @@ struct MotionNames {
   [[nodiscard]] MotionSettings settings() const;
 };
 
+class RestartPoints;
+
 /// A simulation that Ctrl-C can stop; after that it is of no more use.
 class PySimulation {
  public:
   PySimulation(PyScene scene, const MotionNames& motion);
+  /// Of the bytes of `checkpoint`: goes on to the same bits. Throws UsageError where they are none.
+  static PySimulation restored(std::string_view bytes);
+  PySimulation(PySimulation&&) noexcept;
+  PySimulation& operator=(PySimulation&&) noexcept;
+  ~PySimulation();
 
   void advance_to(double t);
+  [[nodiscard]] std::string checkpoint() const;
   [[nodiscard]] const Simulation& get() const;
   [[nodiscard]] const PyScene& scene() const { return scene_; }
 
  private:
+  PySimulation(PyScene scene, MotionNames motion, const std::string& restart_point);
+
   PyScene scene_;
+  MotionNames motion_;
   std::unique_ptr<Interruption> interruption_;
+  std::unique_ptr<RestartPoints> restarts_;
   std::unique_ptr<Simulation> simulation_;  // none after an interruption
 };
 

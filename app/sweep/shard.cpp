@@ -176,15 +176,16 @@ void ShardWriter::note(const std::string& line) { lines_ += line + "\n"; }
 
 void ShardWriter::flush() {
   if (archive_ < 0 || lines_.empty()) return;
-  std::string blocks;
-  std::string lines;
-  blocks.swap(waiting_);
-  lines.swap(lines_);
-  write_all(archive_, blocks, name_);
+  // Buffers are swapped, not made anew: memory stays as it is for millions of samples.
+  blocks_.clear();
+  journal_lines_.clear();
+  blocks_.swap(waiting_);
+  journal_lines_.swap(lines_);
+  write_all(archive_, blocks_, name_);
   if (::fsync(archive_) != 0) fail(name_);
-  write_all(journal_, lines, name_);
+  write_all(journal_, journal_lines_, name_);
   if (::fsync(journal_) != 0) fail(name_);
-  offset_ += blocks.size();
+  offset_ += blocks_.size();
   flushed_ = now();
   wait_ = std::min(2.0 * wait_, longest_wait);
 }

@@ -80,6 +80,8 @@ class ShardWriter {
   std::uint64_t offset_ = 0;  // of what waits
   std::string waiting_;
   std::string lines_;
+  std::string blocks_;  // what is being written
+  std::string journal_lines_;
   double wait_ =
       0.05;  // s, until the next flush: short at first, so that even short runs leave something
   double flushed_ = 0.0;  // s, of the machine's clock: when, never what

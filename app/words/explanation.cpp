@@ -32,15 +32,22 @@ std::string part_name(const StillScene& still,
 }
 
 std::string side_name(int sense, Language language) {
-  return say_in(language, sense < 0 ? Phrase::left : sense > 0 ? Phrase::right : Phrase::down);
+  return say_in(language, sense < 0 ? Phrase::left : Phrase::right);
+}
+
+std::string way_name(int sense, Language language) {
+  return say_in(language, sense < 0   ? Phrase::to_the_left
+                          : sense > 0 ? Phrase::to_the_right
+                                      : Phrase::downwards);
 }
 
 /// Up, down, left or right, whichever a direction is nearest to.
 Phrase direction_of(const StillScene& still, const Vec2& v) {
   const double right = v.dot(right_of(still.down()));
   const double down = v.dot(still.down());
-  if (std::abs(right) > std::abs(down)) return right > 0.0 ? Phrase::right : Phrase::left;
-  return down > 0.0 ? Phrase::down : Phrase::up;
+  if (std::abs(right) > std::abs(down))
+    return right > 0.0 ? Phrase::to_the_right : Phrase::to_the_left;
+  return down > 0.0 ? Phrase::downwards : Phrase::upwards;
 }
 
 Phrase corner_of(const StillScene& still, int cube, const Vec2& point) {
@@ -91,19 +98,62 @@ std::string moving_part_sentence(const StillScene& still,
   if (!part.opens.empty())
     partners = say_in(language, Phrase::parts_from,
                       {{"names", list_in(language, names_of(still, part.opens))}});
-  const Phrase way = part.turn != 0 ? (part.turn > 0 ? Phrase::left : Phrase::right)
-                                    : direction_of(still, part.motion.linear);
+  // What does nothing of the work worth telling is only carried along.
+  constexpr double share_told = 0.005;
+  std::string work;
+  if (std::abs(part.work_share) >= share_told)
+    work = say_in(language, part.work_share < 0.0 ? Phrase::takes_work : Phrase::gives_work,
+                  {{"share", percent_in(language, std::abs(part.work_share))}});
   return say_in(language, part.turn != 0 ? Phrase::turns : Phrase::goes,
                 {{"part", part_name(still, part.cubes, part.cubes.front(), language)},
-                 {"side", say_in(language, way)},
+                 {"side", say_in(language, part.turn > 0 ? Phrase::left : Phrase::right)},
+                 {"way", say_in(language, direction_of(still, part.motion.linear))},
                  {"partners", partners},
-                 {"share", percent_in(language, part.work_share)}});
+                 {"work", work}});
+}
+
+/// What nothing carries, in one sentence.
+std::string drop_sentence(const StillScene& still, const Causes& causes, Language language) {
+  std::vector<int> cubes;
+  for (const Cause& cause : causes.causes)
+    if (cause.failure == Failure::drops)
+      cubes.insert(cubes.end(), cause.part.cubes.begin(), cause.part.cubes.end());
+  std::vector<std::string> names = names_of(still, cubes);
+  if (names.size() > most_told) {
+    const std::string count = std::to_string(names.size() - most_names);
+    names.resize(most_names);
+    names.push_back(say_in(language, Phrase::more, {{"count", count}}));
+  }
+  return say_in(language, names.size() == 1 ? Phrase::drops : Phrase::drop,
+                {{"part", list_in(language, names)}});
+}
+
+void tell_causes(const StillScene& still,
+                 const Causes& causes,
+                 Language language,
+                 std::vector<std::string>& text) {
+  const auto drops = [](const Cause& cause) { return cause.failure == Failure::drops; };
+  const std::size_t others = causes.causes.size() - std::ranges::count_if(causes.causes, drops);
+  const std::size_t most = others == most_told + 1 ? others : most_told;  // no "1 more"
+  std::size_t told = 0;
+  bool dropped = false;
+  for (const Cause& cause : causes.causes) {
+    if (drops(cause)) {
+      if (!dropped) text.push_back(drop_sentence(still, causes, language));
+      dropped = true;
+    } else if (told < most) {
+      text.push_back(cause_sentence(still, cause, language));
+      ++told;
+    }
+  }
+  if (told < others)
+    text.push_back(
+        say_in(language, Phrase::more_causes, {{"count", std::to_string(others - told)}}));
 }
 
 void tell_fall(const Explanation& e, Language language, std::vector<std::string>& text) {
   const StillScene& still = *e.still;
-  for (std::size_t k = 0; k < std::min(most_told, e.causes.causes.size()); ++k)
-    text.push_back(cause_sentence(still, e.causes.causes[k], language));
+  tell_causes(still, e.causes, language, text);
   if (!e.causes.mechanism.empty()) text.push_back(say_in(language, Phrase::no_part_alone));
   for (std::size_t k = 0; k < std::min(most_told, e.causes.mechanism.size()); ++k)
     text.push_back(moving_part_sentence(still, e.causes.mechanism[k], language));
@@ -154,6 +204,13 @@ std::vector<std::string> moving_names(const Scene& scene) {
   return names;
 }
 
+void tell_motion(const std::vector<std::string>& names,
+                 Language language,
+                 std::vector<std::string>& text) {
+  text.push_back(say_in(language, names.size() == 1 ? Phrase::moves : Phrase::move,
+                        {{"names", list_in(language, names)}}));
+}
+
 }  // namespace
 
 std::string cause_sentence(const StillScene& still, const Cause& cause, Language language) {
@@ -163,6 +220,7 @@ std::string cause_sentence(const StillScene& still, const Cause& cause, Language
   return say_in(language, is_many(cause) ? many : one,
                 {{"part", part},
                  {"side", side_name(cause.sense, language)},
+                 {"way", way_name(cause.sense, language)},
                  {"on", list_in(language, names_of(still, cause.on))}});
 }
 
@@ -179,7 +237,7 @@ std::string fix_sentence(const StillScene& still, const Fix& fix, Language langu
   return say_in(language, Phrase::fix_force,
                 {{"corner", say_in(language, corner_of(still, fix.cube, fix.point))},
                  {"body", body},
-                 {"side", say_in(language, direction_of(still, fix.force))},
+                 {"way", say_in(language, direction_of(still, fix.force))},
                  {"force", force_in(language, fix.force.norm(), Rounding::up)}});
 }
 
@@ -209,8 +267,7 @@ std::vector<std::string> sentences(const Scene& scene, const Explanation& e, Lan
       tell_fall(e, language, text);
       break;
     case Verdict::moves:
-      text.push_back(
-          say_in(language, Phrase::moves, {{"names", list_in(language, moving_names(scene))}}));
+      tell_motion(moving_names(scene), language, text);
       break;
     case Verdict::undecided:
       text.push_back(say_in(language, Phrase::undecided));

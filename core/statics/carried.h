@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/statics/load_factor.h"
-#include "core/statics/parts.h"
 #include "core/statics/still_scene.h"
 
 namespace wuerfel {
@@ -30,28 +28,5 @@ MovedScene move(const StillScene& still,
                 const MotionSettings& settings,
                 const CarriedGroup& group,
                 double distance);
-
-/// From where to where cubes of an island can be moved.
-class MoveMargins {
- public:
-  MoveMargins(const StillScene& still, const MotionSettings& settings, int island);
-
-  /// m, to the right: of a cube with what it carries, so that the scene stands all the way; outwards
-  /// from where it is, up to the first change. Of a scene that falls: around the nearest place that is
-  /// known to help; empty where none is.
-  [[nodiscard]] LoadRange range(int cube) const;
-
- private:
-  [[nodiscard]] double expected_change(const CarriedGroup& group, double sense) const;
-
-  const StillScene* still_;
-  const MotionSettings* settings_;
-  std::vector<PartStand> parts_;  ///< of an island that stands
-};
-
-/// The least move of a cube, with what it carries, that makes a falling scene stand.
-std::optional<double> mending_move(const StillScene& still,
-                                   const MotionSettings& settings,
-                                   int cube);
 
 }  // namespace wuerfel

@@ -18,12 +18,17 @@ constexpr double carrying = 1e-9;
 constexpr double clear = 1e-10;
 /// A load with less than this share of the power it could have has none.
 constexpr double powerless = 1e-9;
+/// Of determinate forces, relative to the largest of their kind: rounding.
+constexpr double no_share = 1e-12;
 /// How far above the end the rows that carry force there are looked up.
 constexpr std::array just_above{1e-6, 1e-5, 1e-4, 1e-3};
-/// An end is known where what is left of the motion is less than the first, and the motion above it
-/// sharper than the second: its error is their quotient.
-constexpr double certain = 1e-14;
+/// An end is known where what is left of the motion, over the sharpness of the motion above it, is less:
+/// that is its error. Of motions that are not exact both have to do better.
+constexpr double certain = 1e-12;
+constexpr double certain_of_any = 1e-14;
 constexpr double sharp = 1e-6;
+/// In a large program a motion far above the end is exact enough.
+constexpr double certain_of_large = 1e-10;
 constexpr int many_rows = 600;
 constexpr double far_above = 1e-4;
 constexpr int most_cuts = 100;
@@ -48,6 +53,13 @@ std::vector<double> reversed(std::vector<double> q) {
   for (double& x : q)
     x = -x;
   return q;
+}
+
+/// One point, whose two ends rounding has crossed.
+LoadRange uncrossed(LoadRange range) {
+  if (is_empty(range) && range.low - range.high <= one_point * (1.0 + std::abs(range.low)))
+    std::swap(range.low, range.high);
+  return range;
 }
 
 }  // namespace
@@ -121,6 +133,8 @@ bool LoadFactor::exact_cut(const std::vector<double>& w, const std::vector<doubl
   return true;
 }
 
+bool LoadFactor::is_large() const { return program_.rows() > many_rows; }
+
 LoadFactor::Cut LoadFactor::cut(const std::vector<double>& w, const std::vector<double>& q) {
   const std::vector<double> a = result_.x;
   const double power = dot(q, a);
@@ -131,11 +145,11 @@ LoadFactor::Cut LoadFactor::cut(const std::vector<double>& w, const std::vector<
   double s = -dot(w, a) / power;
   double exact = 0.0;
   sharpness_ = 0.0;
-  // Far above the end a large program does not pay for it.
-  if (program_.rows() > many_rows && unrest_ > far_above) return {s};
-  if (!exact_cut(w, q, exact)) return {s};
   // What is left of a motion near the end is known to its rounding only.
   const double noise = cut_noise * std::max(rounding, result_.residual.worst()) / unrest_;
+  // Far above the end a large program does not pay for it.
+  if (is_large() && unrest_ > far_above) return {s, false, false, noise};
+  if (!exact_cut(w, q, exact)) return {s};
   if (exact - s > noise * (1.0 + std::abs(s))) return {s};
   return {exact, false, true};
 }
@@ -177,7 +191,13 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
     // No cut goes below this one, or there are forces.
     const bool last = k > 0 && step <= 1e-14 * std::abs(found.s);
     if (last || balances(w, q, found.s)) {
-      if (last || unrest_ > certain || sharpness_ < sharp) confirm(w, q, found);
+      const bool exact = found.exact && unrest_ <= certain * sharpness_;
+      if (exact)
+        found.error = unrest_ / sharpness_;
+      else if (is_large() && next.error <= certain_of_large)
+        found.error = next.error * (1.0 + std::abs(found.s));
+      else if (last || unrest_ > certain_of_any || sharpness_ < sharp)
+        confirm(w, q, found);
       return found;
     }
     next = cut(w, q);
@@ -185,20 +205,70 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
   return {none};
 }
 
+bool LoadFactor::is_determinate() {
+  if (determinate_) return *determinate_;
+  determinate_ = program_.rows() <= program_.unknowns();
+  if (!*determinate_) return false;
+  all_rows_.factorise(program_);
+  determinate_ = all_rows_.dependent_rows() == 0;
+  return *determinate_;
+}
+
+void LoadFactor::solve_all(const std::vector<double>& load,
+                           std::vector<double>& x,
+                           std::vector<double>& f) {
+  for (int k = 0; k < program_.unknowns(); ++k)
+    program_.target[k] = load[k] / program_.mass[k];
+  all_rows_.solve(program_, x, f);
+}
+
+bool LoadFactor::determinate_range(const std::vector<double>& w,
+                                   const std::vector<double>& q,
+                                   LoadRange& range) {
+  if (!is_determinate()) return false;
+  std::vector<double> x;
+  std::vector<double> of_load;
+  std::vector<double> of_weights;
+  solve_all(q, x, of_load);
+  if (largest(x) > at_rest * largest(program_.target)) return false;
+  solve_all(w, x, of_weights);
+  range = no_load;
+  if (largest(x) > at_rest * largest(program_.target)) return true;
+  const auto none = [](const std::vector<double>& f) {
+    double most = 0.0;
+    for (const double one : f)
+      most = std::max(most, std::abs(one));
+    return no_share * most;
+  };
+  const double no_load_force = none(of_load);
+  const double no_weight_force = none(of_weights);
+  LoadRange found;
+  for (int row = 0; row < program_.rows(); ++row) {
+    if (program_.is_equality(row)) continue;
+    const double f = std::abs(of_weights[row]) > no_weight_force ? of_weights[row] : 0.0;
+    const double s = -f / of_load[row];
+    if (std::abs(of_load[row]) > no_load_force && std::abs(s) < drowning) {
+      double& end = of_load[row] > 0.0 ? found.low : found.high;
+      end = of_load[row] > 0.0 ? std::max(end, s) : std::min(end, s);
+    } else if (f < 0.0) {
+      return true;
+    }
+  }
+  range = uncrossed(found);
+  return true;
+}
+
 LoadRange LoadFactor::range(const std::vector<double>& w,
                             const std::vector<double>& q,
                             const KnownCut& above_at,
                             const KnownCut& below_at) {
+  if (LoadRange found; determinate_range(w, q, found)) return found;
   const Top above = top(w, q, above_at);
   if (above.s == -unbounded) return no_load;
   const Top below = top(w, reversed(q), below_at);
   if (below.s == -unbounded) return no_load;
   if (above.s == unbounded && below.s == unbounded && !balances(w, q, 0.0)) return no_load;
-  LoadRange found{-below.s, above.s, std::max(above.error, below.error)};
-  // One point, whose two ends rounding has crossed.
-  if (is_empty(found) && found.low - found.high <= one_point * (1.0 + std::abs(found.low)))
-    std::swap(found.low, found.high);
-  return found;
+  return uncrossed({-below.s, above.s, std::max(above.error, below.error)});
 }
 
 double LoadFactor::low(const std::vector<double>& w, const std::vector<double>& q) {

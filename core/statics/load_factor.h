@@ -13,9 +13,13 @@
 /// Near the end a cut divides two tiny numbers. So it is taken from the load alone: with S, the rows
 /// that carry force just above, d = the part of M^-1 q orthogonal to S has the same direction as a(s)
 /// and is found by one linear system; -<w, d> / <q, d> is exact for the whole face.
+///
+/// Where G has independent columns (statically determinate: towers, overhangs, beams on two tips) f is
+/// an affine function of s, and its signs alone decide: two linear systems.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/qp/methods/equality_solver.h"
@@ -66,12 +70,20 @@ class LoadFactor {
     double s = 0.0;
     bool none = false;  ///< the load cannot help: there is no s below
     bool exact = false;
+    double error = unbounded;  ///< relative, of one that is not exact
   };
   Top top(const std::vector<double>& w, const std::vector<double>& q, const KnownCut& known);
   void confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found);
+  bool is_determinate();
+  /// The only forces that leave of a load nothing but `x`.
+  void solve_all(const std::vector<double>& load, std::vector<double>& x, std::vector<double>& f);
+  bool determinate_range(const std::vector<double>& w,
+                         const std::vector<double>& q,
+                         LoadRange& range);
   Cut cut(const std::vector<double>& w, const std::vector<double>& q);
   bool exact_cut(const std::vector<double>& w, const std::vector<double>& q, double& s);
-  bool hinders(const std::vector<double>& d) const;
+  [[nodiscard]] bool hinders(const std::vector<double>& d) const;
+  [[nodiscard]] bool is_large() const;
   /// Solves for w + s q; true where there are forces.
   bool balances(const std::vector<double>& w, const std::vector<double>& q, double s);
   [[nodiscard]] double largest(const std::vector<double>& a) const;
@@ -82,6 +94,8 @@ class LoadFactor {
   double unrest_ = 0.0;     ///< its largest acceleration, relative to that of the load
   double sharpness_ = 0.0;  ///< of the last exact cut, as in KnownCut
   EqualitySolver equalities_;
+  EqualitySolver all_rows_;
+  std::optional<bool> determinate_;  ///< none: not known yet
   std::vector<double> row_norm_;
   std::vector<char> tight_;
   std::vector<double> d_, multiplier_;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/statics/carried.h"
 #include "core/statics/generators.h"
 #include "core/statics/loads.h"
+#include "core/statics/move_margins.h"
 #include "core/statics/parts.h"
 
 namespace wuerfel {

@@ -131,7 +131,7 @@ class Explain(ProgramTest):
         answer = self.explain(STANDING, code=0)
         self.assertEqual((answer["causes"], answer["certificate"]), ([], None))
         self.assertIn("It stands.", answer["text"])
-        self.assertIn("moving from the start: a", self.expect(1, "explain", self.scene(FLYING)).stdout)
+        self.assertIn("a is moving from the start.", self.expect(1, "explain", self.scene(FLYING)).stdout)
 
     def test_facts_where_something_rubs(self):
         answer = self.explain(RUBBING, code=0)

@@ -34,6 +34,25 @@ class Endless(ProgramTest):
         self.assertRegex(line, r"simulating +0 % .* left")
 
 
+    def test_long_work_says_how_much_it_will_write(self):
+        done = self.expect(0, "run", self.scene(STANDING), "--until", "200", "--states", "s.csv", timeout=60)
+        self.assertRegex(done.stderr, r"wuerfel: 12001 frames, about \d+ MB on disk")
+        self.assertEqual(self.expect(0, "run", self.scene(STANDING), "--until", "200", "--states", "s.csv", "--quiet").stderr, "")
+
+    def test_what_no_disk_holds_is_refused_before_it_begins(self):
+        done = self.expect(2, "run", self.scene(FLYING), "--until", "1e4", "--size", "16384x16384", "--speed", "1e-2", "-o", "f/")
+        self.assertRegex(done.stderr, r"would take about .* GB, .* has .* free; ask for less")
+        self.assertFalse(os.path.exists(self.path("f")))
+
+    def test_memory_has_the_limit_that_is_given(self):
+        options = ("run", "pile", "--until", "2", "--states", "s.csv", "--checkpoint", "c", "--every", "0.1")
+        done = self.expect(4, *options, "--max-memory", "1M")
+        self.assertRegex(done.stderr, r"out of memory: \d+ MB are held, --max-memory allows 1 MB")
+        self.assertFalse(os.path.exists(self.path("s.csv")))
+        self.expect(0, "run", "pile", "--until", "0.1", "--max-memory", "4G")
+        self.assertIn("'4GB'", self.expect(2, "run", "pile", "--max-memory", "4GB").stderr)
+
+
 class Frames(ProgramTest):
     def test_frames_of_two_runs_never_lie_side_by_side(self):
         self.expect(0, "run", self.scene(FLYING), "-o", "f/", "--fps", "20", "--size", "64x64")

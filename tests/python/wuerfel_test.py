@@ -1,7 +1,9 @@
 """The Python module against the program: the same bits, the same pixels, the same errors."""
+import copy
 import json
 import os
 import pathlib
+import pickle
 import signal
 import subprocess
 import sys
@@ -98,6 +100,47 @@ def test_states_are_bit_equal_to_the_programs(name):
     assert simulation.names == list(told["samples"][0]["bodies"])
 
 
+@pytest.mark.parametrize("name", ["pile", "incline_friction", "double_pendulum"])
+@pytest.mark.parametrize("way", [lambda s: w.Simulation.restore(s.checkpoint()), lambda s: pickle.loads(pickle.dumps(s)), copy.deepcopy])
+def test_a_simulation_goes_on_from_its_bytes_to_the_same_bits(name, way):
+    whole, first = w.Simulation(name), w.Simulation(name)
+    first.advance_to(0.4)
+    again = way(way(first))
+    assert again.time == 0.4 and np.array_equal(again.state, first.state) and again.scene == first.scene
+    for t in 0.5, 1.3:
+        whole.advance_to(t)
+        again.advance_to(t)
+        assert np.array_equal(again.state, whole.state)
+    assert again.events == whole.events and again.audit == whole.audit
+
+
+def test_bytes_that_are_no_simulation_are_refused():
+    data = w.Simulation(FALLING).checkpoint()
+    for bad, why in (b"", "no checkpoint"), (data[:-1], "damaged"), (data[:-9] + b"#" + data[-8:], "damaged"), (data.replace(w.__version__.encode(), b"0.0.0", 1), "0.0.0"):
+        with pytest.raises(ValueError, match=why):
+            w.Simulation.restore(bad)
+
+
+def test_scenes_can_be_pickled():
+    scene = w.Scene(TOWER).with_(**{"tower.t.lean": 0.1})
+    again = pickle.loads(pickle.dumps(scene))
+    assert again == scene and again.hash == scene.hash and again.with_(**{"tower.t.count": 2}) == scene.with_(**{"tower.t.count": 2})
+
+
+def test_films_are_the_programs(tmp_path):
+    program("run", "demo", "--until", 0.2, "--fps", 20, "--size", "160x120", "-o", tmp_path / "a.mp4", "-o", f"{tmp_path}/a/")
+    w.save_film("demo", tmp_path / "b.mp4", until=0.2, fps=20, size=(160, 120))
+    w.save_film("demo", f"{tmp_path}/b/", until=0.2, fps=20, size=(160, 120))
+    assert (tmp_path / "a.mp4").read_bytes() == (tmp_path / "b.mp4").read_bytes()
+    names = sorted(p.name for p in (tmp_path / "b").iterdir())
+    assert len(names) == 5 and all((tmp_path / "a" / n).read_bytes() == (tmp_path / "b" / n).read_bytes() for n in names)
+    for bad in {"fps": 0}, {"until": -1}, {"size": (0, 5)}, {"layers": "cubs"}, {"view": "nobody"}:
+        pytest.raises(ValueError, w.save_film, "demo", tmp_path / "c.mp4", **bad)
+    pytest.raises(ValueError, w.save_film, "demo", tmp_path / "c.mpeg")
+    pytest.raises(OSError, w.save_film, "demo", tmp_path / "nowhere" / "c.mp4", until=0.1)
+    assert not (tmp_path / "c.mp4").exists()
+
+
 def test_states_are_copies():
     simulation = w.Simulation(FALLING)
     before = simulation.state
@@ -168,6 +211,8 @@ def test_many_are_as_one_by_one_whatever_the_threads():
         assert all(np.array_equal(a.accelerations, b.accelerations) for a, b in zip(answers, alone))
         assert isinstance(answers[60], w.SceneError) and "did you mean" in str(answers[60])
         assert answers[61].verdict == "falls"
+    nearly = w.check_many([TOWER, FALLING], margin=True, ranges=True)
+    assert [a.to_dict() for a in nearly] == [w.check(s, margin=True, ranges=True).to_dict() for s in (TOWER, FALLING)]
     one, four = (w.simulate_many([*towers(5), {"x": 1}], [0.0, 0.2], threads=n) for n in (1, 4))
     assert all(np.array_equal(a.states, b.states) for a, b in zip(one[:5], four[:5]))
     assert isinstance(one[5], w.SceneError) and isinstance(four[5], w.SceneError)
@@ -212,6 +257,7 @@ def test_checks_leak_nothing():
     def usage():
         for _ in range(3000):
             w.check(scene).contacts
+            w.Simulation.restore(w.Simulation(scene).checkpoint())
         return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     before = usage()
     assert usage() <= before + 1024  # kB

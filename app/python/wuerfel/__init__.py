@@ -7,6 +7,7 @@
     motion = w.simulate(scene, [0.0, 0.5, 1.0])
     motion.states                              # (times, bodies, 6): x, y, angle, vx, vy, spin
     w.render(scene, t=0.5, size=(640, 360))    # (360, 640, 4) uint8
+    w.save_film(scene, "demo.mp4")
 
 SI units, y up, angles in radians counter-clockwise. Errors in scenes are SceneError, a ValueError that says where
 and what would be right.
@@ -14,10 +15,10 @@ and what would be right.
 from typing import NamedTuple
 
 from ._core import (Check, OutputError, RenderError, Scene, SceneError, Simulation, __version__, check, check_many,
-                    explain, render, simulate, simulate_many)
+                    explain, render, save_film, simulate, simulate_many)
 
 __all__ = ["Check", "OutputError", "RenderError", "Scene", "SceneError", "Simulation", "Trajectory", "check",
-           "check_many", "explain", "render", "simulate", "simulate_many"]
+           "check_many", "explain", "render", "save_film", "simulate", "simulate_many"]
 
 SceneError.__doc__ = "Bad input: the message says where, what is wrong and what would be right."
 RenderError.__doc__ = "A picture that cannot be drawn as asked."

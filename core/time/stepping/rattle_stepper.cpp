@@ -19,7 +19,6 @@ namespace {
 // Shares of the smaller side of a pair.
 constexpr double pressed_share =
     1e-3;  ///< contacts that were pressed take part in the velocity program up to here
-constexpr double bent_share = 1e-11;  ///< what sides may miss after the first placement
 constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.

@@ -1,0 +1,20 @@
+/// How much memory the program may hold: what --max-memory says.
+#pragma once
+
+#include <stdexcept>
+
+namespace wuerfel {
+
+/// The program holds more than it may. Exit code 4, as where there is none at all.
+class MemoryExceeded : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// From now on, for the whole program: `bytes` of resident memory.
+void limit_memory(double bytes);
+
+/// Throws MemoryExceeded. Asks the system only once in a while, and not at all without a limit.
+void check_memory();
+
+}  // namespace wuerfel

@@ -1,0 +1,16 @@
+/// What a long run is going to write, before it begins.
+#pragma once
+
+#include <string>
+
+#include "app/commands/run_plan.h"
+#include "core/scene/scene.h"
+
+namespace wuerfel {
+
+/// One line on frames and disk space where there are many of them, else nothing: within a factor of
+/// two or three for pictures, which nobody knows before they are drawn.
+/// Throws UsageError where not even half of it would fit into the folders it goes to.
+std::string estimate(const RunOptions& asked, const Scene& scene, const RunPlan& plan);
+
+}  // namespace wuerfel
