@@ -129,6 +129,19 @@ StepImpulse impulse_of(const System& system,
   return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from), from, to};
 }
 
+/// Where something is struck rods pass the blow on, and lose of it what their turning in the step takes.
+void add_rods(const System& system,
+              const Stride& stride,
+              const State& end,
+              const std::vector<int>& component,
+              std::vector<Balance>& balances) {
+  for (int number = 0; number < std::ssize(system.rods); ++number) {
+    const Rod& rod = system.rods[number];
+    const int k = component[rod.i.body >= 0 ? rod.i.body : rod.j.body];
+    if (k >= 0) balances[k].lasting -= work_of(system, stride, number, end);
+  }
+}
+
 }  // namespace
 
 Work first_work(const System& system, const Stride& stride, const Blow& blow) {
@@ -172,12 +185,7 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     if (!stays && loss > 0.0) record.components[k].losses.push_back({share, loss, false});
     if (struck) balances[k].last_struck = std::max(balances[k].last_struck, share);
   }
-  // Where something is struck rods pass the blow on, and lose of it what their turning in the step takes.
-  for (int number = 0; number < std::ssize(system.rods); ++number) {
-    const Rod& rod = system.rods[number];
-    const int k = component[rod.i.body >= 0 ? rod.i.body : rod.j.body];
-    if (k >= 0) balances[k].lasting -= work_of(system, stride, number, end);
-  }
+  add_rods(system, stride, end, component, balances);
   for (std::size_t k = 0; k < balances.size(); ++k) {
     std::vector<StepLoss>& losses = record.components[k].losses;
     // What sides gain in a blow that its normals pay for is no friction.
