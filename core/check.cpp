@@ -108,7 +108,10 @@ Check check(const Scene& scene, const MotionSettings& settings) {
   Bookkeeping impacts;
   if (system.rubs || system.bounces) strike(system, settings, start.state, impacts);
   ActiveRestrictions(system, settings).find(start, impacts);
-  require_consistent_rods(system, start.state);
+  const auto accelerations = [&] {
+    return forces_at(system, settings, start.state, Detail::accelerations).accelerations;
+  };
+  require_consistent_rods(system, start.state, accelerations);
   const InstantForces found = forces_at(system, settings, start.state, Detail::uniqueness);
 
   Check check;

@@ -5,6 +5,7 @@
 
 #include "core/dynamics/programs.h"
 #include "core/dynamics/rod_rows.h"
+#include "core/model/scales.h"
 #include "core/qp/methods/equality_solver.h"
 
 namespace wuerfel {
@@ -13,8 +14,10 @@ namespace {
 /// Rows contradict each other that are missed by more than this share of the largest acceleration.
 constexpr double missed_share = 1e-6;
 
+enum class Fit { independent, redundant, contradicting };
+
 /// Whether accelerations exist that keep the rods of an island.
-bool fit(const System& system, const State& state, const Island& island) {
+Fit fit(const System& system, const State& state, const Island& island) {
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, {});
   const QuadraticProgram& program = builder.program();
@@ -22,14 +25,14 @@ bool fit(const System& system, const State& state, const Island& island) {
   std::vector<double> x;
   std::vector<double> multiplier;
   solver.factorise(program);
-  if (solver.dependent_rows() == 0) return true;
+  if (solver.dependent_rows() == 0) return Fit::independent;
   solver.solve(program, x, multiplier);
   double scale = system.gravity.norm();
   for (int row = 0; row < program.rows(); ++row)
     scale = std::max(scale, std::abs(program.bound[row]));
   for (int row = 0; row < program.rows(); ++row)
-    if (std::abs(program.slack(row, x)) > missed_share * scale) return false;
-  return true;
+    if (std::abs(program.slack(row, x)) > missed_share * scale) return Fit::contradicting;
+  return Fit::redundant;
 }
 
 /// Takes rods out as long as the others still contradict each other.
@@ -37,10 +40,10 @@ void reduce(const System& system, const State& state, Island& island) {
   for (std::size_t k = 0; k < island.rods.size();) {
     Island without = island;
     without.rods.erase(without.rods.begin() + static_cast<std::ptrdiff_t>(k));
-    if (fit(system, state, without)) {
-      ++k;
-    } else {
+    if (fit(system, state, without) == Fit::contradicting) {
       island = std::move(without);
+    } else {
+      ++k;
     }
   }
 }
@@ -56,16 +59,40 @@ std::vector<std::string> names_of(const System& system, const Island& island) {
 
 }  // namespace
 
-std::vector<std::string> contradicting_rods(const System& system, const State& state) {
-  if (system.rods.empty()) return {};
+RodConsistency rod_consistency(const System& system, const State& state) {
+  RodConsistency found;
+  if (system.rods.empty()) return found;
   std::vector<Island> islands;
   find_islands(system, {}, islands);
   for (Island& island : islands) {
-    if (fit(system, state, island)) continue;
+    const Fit fits = fit(system, state, island);
+    found.redundant = found.redundant || fits != Fit::independent;
+    if (fits != Fit::contradicting) continue;
     reduce(system, state, island);
-    return names_of(system, island);
+    found.contradicting = names_of(system, island);
+    return found;
   }
-  return {};
+  return found;
+}
+
+RodConsistency rod_consistency_of_start(const System& system,
+                                        const State& state,
+                                        std::span<const Twist> accelerations) {
+  State later = state;
+  const double time = scales_of(system, state).time;
+  std::vector<Island> islands;
+  find_islands(system, {}, islands);
+  const auto rests = [&](int cube) {
+    return state[cube].velocity.isZero(0.0) && state[cube].spin == 0.0;
+  };
+  for (const Island& island : islands) {
+    if (!std::ranges::all_of(island.cubes, rests)) continue;
+    for (const int cube : island.cubes) {
+      later[cube].velocity = time * accelerations[cube].linear;
+      later[cube].spin = time * accelerations[cube].angular;
+    }
+  }
+  return rod_consistency(system, later);
 }
 
 }  // namespace wuerfel

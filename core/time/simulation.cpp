@@ -53,7 +53,8 @@ struct Simulation::Impl {
         energy_start(energy(system, start)),
         motion(make_motion(system, settings, start, more...)),
         finder(system, settings) {
-    require_consistent_rods(system, motion->state());
+    require_consistent_rods(system, motion->state(),
+                            [this] { return look(Detail::accelerations).accelerations; });
   }
 
   /// What touches and presses where the motion is. The motion and its books do not notice.

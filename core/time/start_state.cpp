@@ -8,12 +8,24 @@
 
 namespace wuerfel {
 
-void require_consistent_rods(const System& system, const State& state) {
-  const std::vector<std::string> names = contradicting_rods(system, state);
-  if (names.empty()) return;
-  throw SceneError(
-      fmt::format("rods contradict each other: no acceleration keeps the lengths of \"{}\" at once",
-                  fmt::join(names, "\", \"")));
+namespace {
+
+void require(const RodConsistency& found, std::string_view when) {
+  if (found.contradicting.empty()) return;
+  throw SceneError(fmt::format(
+      "rods contradict each other{}: no acceleration keeps the lengths of \"{}\" at once", when,
+      fmt::join(found.contradicting, "\", \"")));
+}
+
+}  // namespace
+
+void require_consistent_rods(const System& system,
+                             const State& state,
+                             const std::function<std::vector<Twist>()>& accelerations) {
+  const RodConsistency now = rod_consistency(system, state);
+  require(now, "");
+  if (now.redundant)
+    require(rod_consistency_of_start(system, state, accelerations()), " as soon as they move");
 }
 
 State start_state(const Scene& scene) {

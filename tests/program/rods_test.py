@@ -70,6 +70,35 @@ class Rods(ProgramTest):
         scene["rod"].pop()
         self.assertIn('"l", "r"', self.expect(2, "check", self.scene(scene)).stderr)
 
+    def test_rods_that_contradict_each_other_as_soon_as_they_move_are_named(self):
+        scene = {"point": [{"name": "p", "position": [0, 0]}, {"name": "q", "position": [0, -1]}],
+                 "rod": [{"name": "l", "from": "p", "to": [-1, 0]}, {"name": "r", "from": "p", "to": [1, 0]},
+                         {"name": "down", "from": "p", "to": "q"}]}
+        for command in (("check",), ("run", "--json"), ("run", "--integrator", "rattle", "--json")):
+            done = self.expect(2, *command, self.scene(scene))
+            self.assertIn('contradict each other as soon as they move: no acceleration keeps the lengths of "l", "r" at once', done.stderr)
+        # What holds it still, or lets a third rod go along, is no contradiction.
+        held = {**scene, "rod": scene["rod"] + [{"name": "up", "from": "p", "to": [0, 2]}]}
+        self.assertEqual(json.loads(self.expect(0, "check", self.scene(held), "--json").stdout)["verdict"], "stands")
+        swing = {"cube": [{"name": "c", "position": [1, -1]}],
+                 "rod": [{"from": "c.nw", "to": [-0.5, 0]}, {"from": "c.ne", "to": [0.5, 0]}, {"from": "c.n", "to": [0, 0]}]}
+        self.expect(1, "check", self.scene(swing))
+        self.assertLessEqual(self.summary({**swing, "duration": 1})["audit"]["max_rod_error"], 1e-12)
+
+    def test_chains_and_trusses_have_names_and_forces(self):
+        scene = {"truss": [{"count": 6, "from": [0, 0], "to": [6, 0]}],
+                 "chain": [{"count": 3, "from": "truss1_b3", "to": [3, -3], "loose": True}]}
+        answer = json.loads(self.expect(0, "check", self.scene(scene), "--json").stdout)
+        rods = {rod["name"]: rod for rod in answer["rods"]}
+        # Six bays of 1 m; weights of 1 kg at every joint, four at the middle: moments about the joint over it.
+        support = 9.81 * (12 + 3) / 2
+        self.assertAlmostEqual(rods["truss1_right"]["force"], -support, delta=1e-8)
+        self.assertAlmostEqual(rods["truss1_top2"]["force"], -(3 * (support - 9.81) - 9.81 * 2 * 2 - 9.81 * 2), delta=1e-8)
+        self.assertAlmostEqual(rods["chain1_rod1"]["force"], 3 * 9.81, delta=1e-8)
+        self.assertTrue(all(rod["unique"] for rod in rods.values()))
+        more = self.expect(0, "check", self.scene(scene), "--set", "truss.truss1.kind=warren", "--json").stdout
+        self.assertIn("truss1_diagonal12", more)
+
     def test_pictures_of_points_and_rods_can_be_drawn(self):
         for layers in ("cubes", "cubes,rods", "cubes,rod-forces,forces,hud,names,velocities,trails"):
             self.expect(0, "figure", self.scene(DOOR), "-o", "door.png", "--size", "320x180", "--layers", layers)
