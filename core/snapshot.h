@@ -115,6 +115,11 @@ struct SnapshotContact {
   Vec2 p_j = Vec2::Zero();
   Vec2 p_k = Vec2::Zero();
   Vec2 normal = Vec2::UnitY();
+  Vec2 v_i = Vec2::Zero();  ///< m/s, of the three points
+  Vec2 v_j = Vec2::Zero();
+  Vec2 v_k = Vec2::Zero();
+  int on = -1;    ///< index into Snapshot::boxes of the corner's body
+  int from = -1;  ///< of the side's; boxes.size() + k is the plane k
   bool operator==(const SnapshotContact&) const = default;
 };
 

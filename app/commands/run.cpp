@@ -169,6 +169,9 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   }
   cost.frames = books.frames();
   cost.frames_reused = books.reused();
+  if (books.labels_left_out() > 0)
+    notes.add(fmt::format("up to {} labels of a frame have no room and are left out",
+                          books.labels_left_out()));
   cost.wall_s = watch.wall();
   cost.cpu_s = watch.cpu();
   const ExitCode code = accuracy.verdict(notes);

@@ -34,6 +34,7 @@ class RunBooks {
   [[nodiscard]] double worst_force() const { return worst_force_; }
   [[nodiscard]] long frames() const { return film_.frames(); }
   [[nodiscard]] long reused() const { return film_.reused(); }
+  [[nodiscard]] int labels_left_out() const { return film_.labels_left_out(); }
 
  private:
   const RunOptions& asked_;

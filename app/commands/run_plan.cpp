@@ -94,6 +94,7 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   const std::vector<double> frames = frames_until(plan.end, asked);
   plan.instants = timetable(plan.end, frames, asked.samples,
                             frames.empty() ? marks_until(plan.end, asked) : std::vector<double>{});
+  mark_scales(plan.instants);
   if (!asked.outputs.empty()) {
     plan.request = snapshot_request(asked.picture, scene.cubes.size());
     plan.back = look_back(asked.picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);

@@ -20,7 +20,7 @@ Film::Film(const PictureOptions& picture,
 
 void Film::open_pipeline() {
   fitted_ = fit_to_motion(picture_, recording_);
-  fitted_.legend = legend_of(fitted_, recording_.range());
+  fitted_.legend = legend_of(fitted_, recording_.seen());
   const std::string settings = fmt::format("{} --fps {} --speed {} {}", option_text(fitted_),
                                            rate_.fps, rate_.speed, option_text(source_.motion));
   pipeline_.emplace(

@@ -34,6 +34,8 @@ class Film {
   [[nodiscard]] long frames() const { return frames_; }
   /// Frames that were neither drawn nor compressed again.
   [[nodiscard]] long reused() const { return pipeline_ ? pipeline_->reused() : 0; }
+  /// The most labels for which a frame had no room.
+  [[nodiscard]] int labels_left_out() const { return pipeline_ ? pipeline_->labels_left_out() : 0; }
 
  private:
   void open_pipeline();

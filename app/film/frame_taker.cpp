@@ -75,7 +75,7 @@ std::vector<Instant> with_looks(std::vector<Instant> instants, double average) {
   if (!(average > 0.0)) return instants;
   std::vector<Instant> looks;
   for (const Instant& instant : instants) {
-    for (int k = 1; instant.frame && k < looks_per_average; ++k) {
+    for (int k = 1; instant.frame && !instant.bare && k < looks_per_average; ++k) {
       const double t = look_time(instant.t, average, k);
       if (t > 0.0) looks.push_back({.t = t, .look = true});
     }
@@ -136,8 +136,11 @@ std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
       looks_.emplace_back(instant.t, simulation.snapshot(moment, {.joints = true}).joints);
     return std::nullopt;
   }
-  Snapshot snapshot = simulation.snapshot(moment, instant.sample ? request_ : passing_);
-  if (request_.joints && back_.average > 0.0) {
+  const SnapshotRequest request = instant.sample ? request_
+                                  : instant.bare ? SnapshotRequest{}
+                                                 : passing_;
+  Snapshot snapshot = simulation.snapshot(moment, request);
+  if (request.joints && back_.average > 0.0) {
     looks_.emplace_back(instant.t, snapshot.joints);
     snapshot.joints = averaged(snapshot);
   }

@@ -15,9 +15,10 @@ namespace wuerfel {
 namespace {
 
 constexpr double longest_velocity_arrow = 1.5;  // typical sides of a cube
-constexpr double gravity_arrow = 0.5;           // likewise, of an acceleration of g
+constexpr double gravity_arrow = 0.4;           // likewise, of an acceleration of g
 constexpr double longest_acceleration_arrow = 1.0;
-constexpr double impact_memory = 0.15;  // s of the film
+constexpr double free_body_share = 0.6;  // of a joint's arrow: forces of a free body don't meet
+constexpr double impact_memory = 0.15;   // s of the film
 
 bool draws_forces(Layers layers) {
   return layers.has(Layer::forces) || layers.has(Layer::contact_forces) || layers.has(Layer::joints)
@@ -31,12 +32,20 @@ Bounds bounds_of(const PictureOptions& options, const Recording& motion) {
   Bounds bounds;
   motion.for_each([&](const Snapshot& snapshot) {
     bounds.include(options.explode > 0.0 ? exploded(snapshot, options.explode) : snapshot, scale);
+    const double speed = options.velocity_scale.value_or(0.0);
+    for (const SnapshotContact& contact : snapshot.contacts) {
+      if (!options.layers.has(Layer::velocities) || !options.layers.has(Layer::symbols)) break;
+      bounds.include(Vec2(contact.p_i + speed * contact.v_i));
+      bounds.include(Vec2(contact.p_j + speed * contact.v_j));
+      bounds.include(Vec2(contact.p_k + speed * contact.v_k));
+    }
     for (const SnapshotBox& box : snapshot.boxes) {
       if (options.layers.has(Layer::velocities))
-        bounds.include(Vec2(box.center + options.velocity_scale.value_or(0.0) * box.velocity));
+        bounds.include(Vec2(box.center + speed * box.velocity));
       if (options.layers.has(Layer::accelerations))
-        bounds.include(
-            Vec2(box.center + options.acceleration_scale.value_or(0.0) * box.acceleration));
+        bounds.include(Vec2(box.center
+                            + options.acceleration_scale.value_or(0.0)
+                                  * shown_acceleration(box.acceleration, snapshot.gravity)));
     }
   });
   return bounds;
@@ -56,7 +65,11 @@ Camera fitted_camera(const PictureOptions& options, const Recording& motion) {
 
 void fit_force_scale(PictureOptions& options, const ForceRange& range) {
   if (!options.force_scale) {
-    const ForceScale scale = range.scale();
+    ForceScale scale = range.scale();
+    if (options.explode > 0.0) {
+      scale.metres_per_newton *= free_body_share;
+      scale.longest *= free_body_share;
+    }
     if (scale.metres_per_newton > 0.0) options.force_scale = {scale.metres_per_newton, scale};
   } else if (!options.force_scale->whole) {
     options.force_scale->whole = fixed_force_scale(options.force_scale->metres_per_newton, range);
@@ -68,8 +81,8 @@ std::optional<double> fitted_acceleration_scale(const MotionRange& range) {
   const double most = range.largest_acceleration;
   if (!(most > 0.0)) return std::nullopt;
   const double side = range.forces.typical_side();
-  const double scale = longest_acceleration_arrow * side / most;
-  return range.gravity > 0.0 ? std::min(scale, gravity_arrow * side / range.gravity) : scale;
+  if (range.gravity > 0.0) return gravity_arrow * side / range.gravity;
+  return longest_acceleration_arrow * side / most;
 }
 
 }  // namespace
@@ -105,6 +118,13 @@ bool needs_whole_motion(const PictureOptions& options) {
          || (layers.has(Layer::velocities) && !options.velocity_scale)
          || (layers.has(Layer::accelerations) && !options.acceleration_scale)
          || (layers.has(Layer::rod_forces) && !options.rod_scale) || (scaled && !options.color_top);
+}
+
+bool needs_every_force(const PictureOptions& options) {
+  const Layers layers = options.layers;
+  return options.explode > 0.0 || layers.has(Layer::contact_forces) || layers.has(Layer::rod_forces)
+         || layers.has(Layer::accelerations)
+         || (layers.has(Layer::velocities) && layers.has(Layer::symbols));
 }
 
 PictureOptions fit_scales(PictureOptions options, const MotionRange& range) {
@@ -150,6 +170,9 @@ Legend legend_of(const PictureOptions& fitted, const MotionRange& range) {
   if (fitted.legend) return *fitted.legend;
   Legend legend = range.seen;
   legend.insert(LegendEntry::contact);
+  if (fitted.layers.has(Layer::accelerations) && range.gravity > 0.0
+      && range.largest_acceleration > most_gravities * range.gravity)
+    legend.insert(LegendEntry::cut);
   if (!fitted.force_scale) return legend;
   const ForceScale& scale = *fitted.force_scale->whole;
   if (range.forces.cuts(scale)) legend.insert(LegendEntry::cut);
@@ -222,7 +245,8 @@ SnapshotRequest snapshot_request(const PictureOptions& options, std::size_t cube
           .rods = layers.has(Layer::rods) || layers.has(Layer::rod_forces),
           .rod_forces = layers.has(Layer::rod_forces),
           .points = layers.has(Layer::points),
-          .contacts = layers.has(Layer::contacts) || layers.has(Layer::normals),
+          .contacts = layers.has(Layer::contacts) || layers.has(Layer::normals)
+                      || layers.has(Layer::symbols),
           .sides = layers.has(Layer::sides)};
 }
 

@@ -60,6 +60,10 @@ int auto_height(const PictureOptions& scaled, const Recording& motion);
 /// True where only the whole motion can tell how the first picture looks.
 bool needs_whole_motion(const PictureOptions& options);
 
+/// True where pictures on the way to those asked for need more than poses: arrows that reach out of
+/// bodies, which the view has room for.
+bool needs_every_force(const PictureOptions& options);
+
 /// The options with all questions answered that they left open, so that one picture can be drawn
 /// alone as if it stood in the film.
 PictureOptions fit_to_motion(PictureOptions options, const Recording& motion);

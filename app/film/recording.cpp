@@ -41,12 +41,19 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
   return accuracy;
 }
 
+bool MotionSource::scales_at(double t) const {
+  const auto instant = std::ranges::lower_bound(instants, t, {}, &Instant::t);
+  return instant != instants.end() && instant->t == t && instant->scales;
+}
+
 void MotionRange::include(const Snapshot& snapshot) {
   forces.include(snapshot);
   for (const SnapshotBox& box : snapshot.boxes)
     fastest = std::max(fastest, box.velocity.norm());
   for (const SnapshotMass& mass : snapshot.masses)
     fastest = std::max(fastest, mass.velocity.norm());
+  for (const SnapshotContact& contact : snapshot.contacts)
+    fastest = std::max({fastest, contact.v_i.norm(), contact.v_j.norm(), contact.v_k.norm()});
   for (const SnapshotRod& rod : snapshot.rods)
     largest_rod = std::max(largest_rod, std::abs(rod.tension));
   for (const SnapshotLink& link : snapshot.links)
@@ -71,7 +78,8 @@ std::size_t Recording::Scenery::bytes() const {
 }
 
 void Recording::add(Snapshot snapshot) {
-  range_.include(snapshot);
+  seen_.include(snapshot);
+  if (source_->scales_at(snapshot.time)) chosen_.include(snapshot);
   if (!kept()) return;
   Scenery scenery{{},
                   std::move(snapshot.forces),
@@ -98,6 +106,13 @@ void Recording::add(Snapshot snapshot) {
   if (frames_.empty()) first_ = std::move(snapshot);
   frames_.push_back(std::move(frame));
   if (!kept()) frames_ = {};
+}
+
+MotionRange Recording::range() const {
+  MotionRange range = seen_;
+  range.forces = chosen_.forces;
+  range.largest_load = chosen_.largest_load;
+  return range;
 }
 
 void Recording::for_each(const std::function<void(const Snapshot&)>& show) const {

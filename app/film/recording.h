@@ -35,6 +35,8 @@ struct MotionSource {
   /// Simulates it from the start and shows its frames; how exact it was up to the last instant that
   /// was asked for, or to the end. Throws Interrupted.
   AccuracyWatch show_frames(const std::function<void(const Snapshot&)>& show) const;
+  /// Whether the scales of arrows fit the frame of this instant.
+  [[nodiscard]] bool scales_at(double t) const;
 };
 
 /// What a whole motion tells of the arrows.
@@ -62,7 +64,10 @@ class Recording {
       : source_(&source), limit_(limit) {}
 
   void add(Snapshot snapshot);
-  [[nodiscard]] const MotionRange& range() const { return range_; }
+  /// What scales fit: forces and loads of the frames chosen for it, and all else of all frames.
+  [[nodiscard]] MotionRange range() const;
+  /// Of all frames.
+  [[nodiscard]] const MotionRange& seen() const { return seen_; }
   /// All frames in their order.
   void for_each(const std::function<void(const Snapshot&)>& show) const;
 
@@ -101,7 +106,8 @@ class Recording {
 
   const MotionSource* source_;
   std::size_t limit_;
-  MotionRange range_;
+  MotionRange chosen_;
+  MotionRange seen_;
   Snapshot first_;
   std::vector<Frame> frames_;
   std::size_t bytes_ = 0;

@@ -9,6 +9,7 @@
 #include "app/film/origin.h"
 #include "app/film/reason.h"
 #include "app/film/recording.h"
+#include "app/film/specks.h"
 #include "app/film/trails.h"
 #include "core/scene/scene_parser.h"
 #include "render/picture/compose_frame.h"
@@ -66,7 +67,13 @@ std::vector<Instant> instants_of(const StillOptions& options, const Scene& scene
   const double end = whole ? std::max(last, options.end.value_or(scene.duration)) : last;
   std::vector<double> frames;
   if (whole || picture.layers.has(Layer::trails)) frames = frame_times(end, options.rate);
-  return timetable(end, frames, options.times);
+  std::vector<Instant> instants = timetable(end, frames, options.times);
+  if (whole) mark_scales(instants);
+  for (Instant& instant : instants) {
+    if (!whole) instant.scales = instant.frame || instant.sample;
+    instant.bare = whole && !instant.scales && !instant.sample && !needs_every_force(picture);
+  }
+  return instants;
 }
 
 MotionSource source_of(const Scene& scene,
@@ -121,17 +128,22 @@ MotionRange range_of_shown(const Recording& motion, const std::vector<Instant>& 
   return range;
 }
 
+struct Cells {
+  std::vector<DrawList> lists;
+  std::string hint;  // of the last
+};
+
 /// One by one, the draw lists of the instants that were asked for, with the ghosts and the reason of `extras`.
-std::vector<DrawList> compose_cells(const Recording& motion,
-                                    const std::vector<Instant>& instants,
-                                    const PictureOptions& fitted,
-                                    const Snapshot& extras,
-                                    Font& font) {
+Cells compose_cells(const Recording& motion,
+                    const std::vector<Instant>& instants,
+                    const PictureOptions& fitted,
+                    const Snapshot& extras,
+                    Font& font) {
   const Style style = make_style(fitted.theme);
   const FrameOptions frame = frame_options(fitted);
   const bool with_trails = fitted.layers.has(Layer::trails);
   Trails trails;
-  std::vector<DrawList> lists;
+  Cells cells;
   for_each_shown(motion, instants, [&](const Snapshot& snapshot, const Instant& instant) {
     if (with_trails && instant.frame) trails.add(snapshot);
     if (!instant.sample) return;
@@ -139,9 +151,11 @@ std::vector<DrawList> compose_cells(const Recording& motion,
     shown.trails = trails.paths();
     shown.ghosts = extras.ghosts;
     shown.reason = extras.reason;
-    lists.push_back(compose_frame(shown, view_of(fitted, shown), style, frame, font));
+    const View view = view_of(fitted, shown);
+    cells.lists.push_back(compose_frame(shown, view, style, frame, font));
+    cells.hint = hint_at_specks(shown, view);
   });
-  return lists;
+  return cells;
 }
 
 std::string settings_text(const StillOptions& options, const PictureOptions& fitted) {
@@ -237,8 +251,9 @@ Still compose_still(const Scene& scene,
   fitted.legend = legend_of(fitted, range_of_shown(motion, instants));
   if (options.why)
     first.reason = picture_reason(scene, explain(scene, options.motion), *options.why);
-  std::vector<DrawList> lists = compose_cells(motion, instants, fitted, first, font);
-  for (const DrawList& list : lists)
+  Cells cells = compose_cells(motion, instants, fitted, first, font);
+  if (options.picture.camera.kind == Camera::Kind::fit) still.hint = cells.hint;
+  for (const DrawList& list : cells.lists)
     still.labels_left_out += list.labels_left_out;
 
   still.origin.push_back(time_text(options.times));
@@ -246,9 +261,9 @@ Still compose_still(const Scene& scene,
     still.origin.push_back(std::move(text));
   still.texts = texts_of(still, first);
   if (options.strip) {
-    add_strip(options, fitted, first, std::move(lists), font, still);
+    add_strip(options, fitted, first, std::move(cells.lists), font, still);
   } else {
-    still.page = std::move(lists.front());
+    still.page = std::move(cells.lists.front());
   }
   return still;
 }

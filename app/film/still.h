@@ -41,6 +41,7 @@ struct Still {
   FigureTexts texts;  ///< of vector figures
   AccuracyWatch accuracy;
   int labels_left_out = 0;
+  std::string hint;  ///< how more would be seen; see hint_at_specks
 };
 
 /// Simulates up to the last of the times. Throws SceneError, RenderError,

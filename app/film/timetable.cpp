@@ -53,6 +53,15 @@ std::vector<Instant> timetable(double end,
   return merged(std::move(instants), {});
 }
 
+void mark_scales(std::vector<Instant>& instants) {
+  constexpr std::ptrdiff_t enough = 40;
+  const auto frames = std::ranges::count(instants, true, &Instant::frame);
+  const std::ptrdiff_t every = std::max<std::ptrdiff_t>(frames / enough, 1);
+  std::ptrdiff_t k = 0;
+  for (Instant& instant : instants)
+    if (instant.frame) instant.scales = k++ % every == 0;
+}
+
 std::vector<Instant> merged(std::vector<Instant> instants, const std::vector<Instant>& more) {
   instants.insert(instants.end(), more.begin(), more.end());
   std::ranges::stable_sort(instants, {}, &Instant::t);

@@ -13,6 +13,8 @@ struct Instant {
   bool frame = false;   ///< a picture, and a line of the tables
   bool sample = false;  ///< asked for by --sample, or -t
   bool look = false;    ///< forces are looked at, to be averaged in a picture to come
+  bool scales = false;  ///< a frame whose forces the scales of arrows fit
+  bool bare = false;    ///< a frame of which poses are enough
 };
 
 /// Whether somebody looks, be it to average.
@@ -35,6 +37,10 @@ void require_possible_steps(double end, const MotionSettings& motion);
 /// Times of the frames from 0 to `end` s, both included: k / fps * speed for k = 0 .. floor(end fps
 /// / speed).
 std::vector<double> frame_times(double end, const FrameRate& rate);
+
+/// Marks the frames that scales fit: all of short films, of long ones evenly some forty, so that a
+/// still picture need not know the forces of all frames to have the scales of its film.
+void mark_scales(std::vector<Instant>& instants);
 
 /// Frames, samples, other moments to stop at and the end in one order in time, every instant once; the times are exactly
 /// those given.

@@ -124,8 +124,9 @@ void ContactFinder::find_between_boxes(const System& system,
   for (const auto& [i, j] : neighbours_.find(system, bounds_of)) {
     const double scale = std::min(system.body(i).smaller_side(), system.body(j).smaller_side());
     const std::size_t known = touches_.size();
-    note(add_touching_contacts(system, state, boxes_, i, j, tolerance * scale, contacts, touches_),
-         scale, i, j);
+    note(
+        add_touching_contacts(system, state, boxes_, {i, j}, tolerance * scale, contacts, touches_),
+        scale, i, j);
     for (std::size_t k = known; k < touches_.size(); ++k)
       touches_[k].scale = scale;
   }

@@ -1,10 +1,48 @@
 #include "core/constraints/islands.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/geometry/union_find.h"
 
 namespace wuerfel {
+namespace {
+
+/// Per cube the number of its island, in the order of their first cubes; -1: it is free.
+std::vector<int> number_islands(const System& system, const std::vector<Contact>& contacts) {
+  UnionFind sets(system.cubes);
+  std::vector<int> number(system.cubes, -1);
+  constexpr int joined = 0;
+  const auto moves = [&](int body) { return body >= 0 && system.is_cube(body); };
+  const auto join = [&](int a, int b) {
+    if (moves(a)) number[a] = joined;
+    if (moves(b)) number[b] = joined;
+    if (moves(a) && moves(b)) sets.unite(a, b);
+  };
+  for (const Contact& c : contacts)
+    join(c.on, c.from);
+  for (const Rod& rod : system.rods)
+    join(rod.i.body, rod.j.body);
+  std::vector<int> of_root(system.cubes, -1);
+  int used = 0;
+  for (int cube = 0; cube < system.cubes; ++cube) {
+    if (number[cube] != joined) continue;
+    int& k = of_root[sets.root(cube)];
+    if (k < 0) k = used++;
+    number[cube] = k;
+  }
+  return number;
+}
+
+/// Keeps its memory.
+void forget(Island& island) {
+  island.cubes.clear();
+  island.contacts.clear();
+  island.touches.clear();
+  island.rods.clear();
+}
+
+}  // namespace
 
 void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
@@ -16,49 +54,27 @@ void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
                   std::span<const Touch> touches,
                   std::vector<Island>& islands) {
-  UnionFind sets(system.cubes);
-  std::vector<char> touched(system.cubes, 0);
-  for (const Contact& c : contacts) {
-    for (const int body : {c.on, c.from}) {
-      if (system.is_cube(body)) touched[body] = 1;
-    }
-    if (system.is_cube(c.on) && system.is_cube(c.from)) sets.unite(c.on, c.from);
-  }
-  for (const Rod& rod : system.rods) {
-    for (const int body : {rod.i.body, rod.j.body})
-      if (body >= 0) touched[body] = 1;
-    if (rod.i.body >= 0 && rod.j.body >= 0) sets.unite(rod.i.body, rod.j.body);
-  }
-  std::vector<int> number(system.cubes, -1);
-  int used = 0;
-  for (int i = 0; i < system.cubes; ++i) {
-    if (touched[i] == 0) continue;
-    int& k = number[sets.root(i)];
-    if (k < 0) {
-      k = used++;
-      if (static_cast<int>(islands.size()) < used) islands.emplace_back();
-      islands[k].cubes.clear();
-      islands[k].contacts.clear();
-      islands[k].touches.clear();
-      islands[k].rods.clear();
-    }
-    islands[k].cubes.push_back(i);
-  }
-  islands.resize(used);
+  const std::vector<int> number = number_islands(system, contacts);
+  const int count = number.empty() ? 0 : std::ranges::max(number) + 1;
+  islands.resize(count);
+  for (Island& island : islands)
+    forget(island);
+  for (int cube = 0; cube < system.cubes; ++cube)
+    if (number[cube] >= 0) islands[number[cube]].cubes.push_back(cube);
   const auto island_of = [&](int on, int from) -> Island& {
-    return islands[number[sets.root(system.is_cube(on) ? on : from)]];
+    return islands[number[system.is_cube(on) ? on : from]];
   };
   // Contacts of a touch stay together: they are of the same island.
   std::vector<int> place;
+  place.reserve(touches.empty() ? 0 : contacts.size());
   for (const Contact& c : contacts) {
     Island& island = island_of(c.on, c.from);
-    place.push_back(static_cast<int>(island.contacts.size()));
+    if (!touches.empty()) place.push_back(static_cast<int>(island.contacts.size()));
     island.contacts.push_back(c);
   }
   for (int k = 0; k < static_cast<int>(system.rods.size()); ++k) {
     const Rod& rod = system.rods[k];
-    const int body = rod.i.body >= 0 ? rod.i.body : rod.j.body;
-    islands[number[sets.root(body)]].rods.push_back(k);
+    islands[number[rod.i.body >= 0 ? rod.i.body : rod.j.body]].rods.push_back(k);
   }
   for (const Touch& touch : touches) {
     Island& island = island_of(touch.on, touch.from);

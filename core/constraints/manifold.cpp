@@ -168,12 +168,41 @@ Contact nearest_to_middle(const FacingSide& s,
   return best;
 }
 
+/// The incident corner that a contact which is not flush is at.
+Contact corner_of(const FacingSide& s, const Box& a, const Box& b, const Incident& incident) {
+  return incident.count >= 2 ? nearest_to_middle(s, a, b, incident)
+                             : deepest_corner(s, a, b, incident);
+}
+
+/// Corner on corner: of all sides that separate, the one that opens fastest.
+struct FastestCorner {
+  std::optional<Contact> contact{};
+  double rate = 0.0;  ///< m/s, of its gap
+
+  void compare(const System& system, const State& state, const Contact& c) {
+    const double here = gap_rate(c, contact_velocity(system, state, c));
+    if (contact && here <= rate) return;
+    contact = c;
+    rate = here;
+  }
+};
+
 /// The corner of `on` that is deepest below a side of `from`.
 Contact deepest_corner_at(std::span<const Box> boxes, int from, int on, int side) {
   const Box& a = boxes[from];
   const Box& b = boxes[on];
   return deepest_corner({from, on, side, 0.0}, a, b,
                         incident_corners(a, side, b, std::numeric_limits<double>::max()));
+}
+
+void take_larger(const FacingSide& side, FacingSide& largest) {
+  if (side.separation > largest.separation) largest = side;
+}
+
+/// The share of a way at which a gap closes; -1 where it does not.
+double closing_time(double before, double after) {
+  const double open = std::max(before, 0.0);
+  return after < 0.0 ? open / (open - after) : -1.0;
 }
 
 }  // namespace
@@ -199,16 +228,13 @@ Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int 
 double add_touching_contacts(const System& system,
                              const State& state,
                              std::span<const Box> boxes,
-                             int i,
-                             int j,
+                             const IndexPair& pair,
                              double tolerance,
                              std::vector<Contact>& contacts,
                              std::vector<Touch>& touches) {
-  const Candidates sides = separating_sides(boxes, i, j, tolerance);
+  const Candidates sides = separating_sides(boxes, pair.first, pair.second, tolerance);
   bool flush = false;
-  Contact corner;
-  double fastest = 0.0;
-  bool found = false;
+  FastestCorner corner;
   for (int m = 0; m < sides.count; ++m) {
     const FacingSide& s = sides.list[m];
     const Box& a = boxes[s.from];
@@ -221,20 +247,14 @@ double add_touching_contacts(const System& system,
         return sides.largest;
       }
     }
-    if (incident.count == 0) continue;
-    // Corner on corner: of all sides that separate, the one that opens fastest.
-    const Contact c = incident.count >= 2 ? nearest_to_middle(s, a, b, incident)
-                                          : deepest_corner(s, a, b, incident);
-    const double rate = gap_rate(c, contact_velocity(system, state, c));
-    if (!found || rate > fastest) {
-      corner = c;
-      fastest = rate;
-      found = true;
-    }
+    if (incident.count > 0) corner.compare(system, state, corner_of(s, a, b, incident));
   }
   // Aligned corners of a grid need no contact unless they go into each other.
-  if (found && (!flush || contact_motion(system, state, corner) == ContactMotion::closing)) {
-    contacts.push_back(corner);
+  const auto closes = [&](const Contact& c) {
+    return contact_motion(system, state, c) == ContactMotion::closing;
+  };
+  if (corner.contact && (!flush || closes(*corner.contact))) {
+    contacts.push_back(*corner.contact);
     touches.push_back(touch_of(contacts, 1));
   }
   return sides.largest;
@@ -268,28 +288,24 @@ FacingSide separating_side(const System& system, const Way& way, double slow, in
   FacingSide meeting;
   double latest = -1.0;
   const bool covers = system.body(i).cover || system.body(j).cover;
-  for (int index = 0; index < 2 * Box::corners; ++index) {
-    const int from = index < Box::corners ? i : j;
-    const int on = index < Box::corners ? j : i;
-    const int side = index % Box::corners;
-    if (covers && is_covered(system, deepest_corner_at(way.end, from, on, side))) continue;
+  const auto look_at = [&](int from, int on, int side) {
+    if (covers && is_covered(system, deepest_corner_at(way.end, from, on, side))) return;
     const double before = side_separation(way.start[from], side, way.start[on]);
     const double after = side_separation(way.end[from], side, way.end[on]);
-    const double both = std::min(before, after);
-    if (both > best.separation) best = {from, on, side, both};
-    if (before > deepest.separation) deepest = {from, on, side, before};
-    if (before < -zero) continue;
+    take_larger({from, on, side, std::min(before, after)}, best);
+    take_larger({from, on, side, before}, deepest);
+    if (before < -zero) return;
     const double drifted = side_separation(way.drift[from], side, way.drift[on]);
-    const double kept = std::min(before, drifted);
-    if (kept > carried.separation) carried = {from, on, side, kept};
-    if (after >= 0.0) continue;
-    const double open = std::max(before, 0.0);
-    const double when = open / (open - after);
-    if (when > latest) {
-      latest = when;
-      meeting = {from, on, side, after};
-    }
-  }
+    take_larger({from, on, side, std::min(before, drifted)}, carried);
+    const double when = closing_time(before, after);
+    if (when <= latest) return;
+    latest = when;
+    meeting = {from, on, side, after};
+  };
+  for (int side = 0; side < Box::corners; ++side)
+    look_at(i, j, side);
+  for (int side = 0; side < Box::corners; ++side)
+    look_at(j, i, side);
   if (best.separation >= 0.0) return best;
   if (carried.separation >= -slow) {
     carried.separation = side_separation(way.end[carried.from], carried.side, way.end[carried.on]);

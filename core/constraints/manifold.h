@@ -12,13 +12,12 @@ namespace wuerfel {
 /// The contact of corner k of box `on` with side e of box `from`.
 Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int e);
 
-/// Adds the contacts of boxes i and j that touch within `tolerance` (m), and the touch that they
+/// Adds the contacts of a pair of boxes that touch within `tolerance` (m), and the touch that they
 /// make; returns their separation.
 double add_touching_contacts(const System& system,
                              const State& state,
                              std::span<const Box> boxes,
-                             int i,
-                             int j,
+                             const IndexPair& pair,
                              double tolerance,
                              std::vector<Contact>& contacts,
                              std::vector<Touch>& touches);

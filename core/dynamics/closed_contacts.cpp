@@ -31,7 +31,10 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
   }
   std::ranges::sort(island_.cubes);
   island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
+  on_fixed_ = touches_fixed(*system_, contacts);
+  held_ = std::ranges::any_of(island_.rods, [&](int k) { return is_held(system_->rods[k]); });
   laid_out_ = false;
+  angles_.clear();
   boxes_.resize(system_->count());
   for (int i = system_->cubes; i < system_->count(); ++i)
     boxes_[i] = system_->body(i).box;
@@ -41,32 +44,45 @@ bool ClosedContacts::moves(const RodEnd& end) const {
   return end.body >= 0 && (resting_.empty() || resting_[end.body] == 0);
 }
 
-void ClosedContacts::pose(const State& state) {
+/// Contacts as they are at the state. False where they were there already.
+bool ClosedContacts::pose(const State& state) {
+  bool moved = angles_.empty();
+  angles_.resize(island_.cubes.size());
+  double* angle = angles_.data();
   for (const int cube : island_.cubes) {
     const BodyState& s = state[cube];
-    boxes_[cube] = make_box(s.position, s.angle, system_->body(cube).size);
+    moved = moved || s.angle != *angle || s.position != boxes_[cube].center;
+    if (moved) boxes_[cube] = make_box(s.position, s.angle, system_->body(cube).size);
+    *angle++ = s.angle;
   }
+  if (!moved) return false;
   for (Contact& c : island_.contacts)
     c = at_poses(*system_, boxes_, c);
+  return true;
+}
+
+/// The rows, and their factorisation. Those of contacts have the same coefficients at the same place.
+void ClosedContacts::find_rows(const State& state, bool moved, Order order) {
+  if (laid_out_) {
+    builder_.renew(state, island_, order);
+    if (moved || !island_.rods.empty()) solver_.factorise_again(builder_.program());
+    return;
+  }
+  const std::vector<SideUse> use(island_.contacts.size(), SideUse::equality);
+  builder_.acceleration(state, island_, use);
+  if (order != Order::acceleration) builder_.renew(state, island_, order);
+  solver_.factorise(builder_.program());
+  laid_out_ = true;
 }
 
 const std::vector<double>& ClosedContacts::nearest(const State& state, Order order) {
   if (none()) return x_;
-  pose(state);
+  const bool moved = pose(state);
   if (rubbing_.any()) {
     rubbing_.solve(*system_, state, island_, order, x_, forces_);
     return x_;
   }
-  if (laid_out_) {
-    builder_.renew(state, island_, order);
-    solver_.factorise_again(builder_.program());
-  } else {
-    const std::vector<SideUse> use(island_.contacts.size(), SideUse::equality);
-    builder_.acceleration(state, island_, use);
-    if (order != Order::acceleration) builder_.renew(state, island_, order);
-    solver_.factorise(builder_.program());
-    laid_out_ = true;
-  }
+  find_rows(state, moved, order);
   if (island_.rods.empty()) {
     solver_.solve(builder_.program(), x_, forces_);
     return x_;
@@ -104,11 +120,9 @@ Push ClosedContacts::felt(const State& state, const Vec2& center) const {
 
 Push ClosedContacts::pushed(const State& state) const {
   Push sum;
-  if (none()) return sum;
+  if (!on_fixed_ && !held_) return sum;
   const Vec2 center = common_center(*system_, state, resting_);
-  const bool held =
-      std::ranges::any_of(island_.rods, [this](int rod) { return is_held(system_->rods[rod]); });
-  if (held) return felt(state, center);
+  if (held_) return felt(state, center);
   std::vector<double> along;
   if (rubbing_.any()) along = rubbing_.along_sides(forces_);
   for (std::size_t k = 0; k < forces_.size(); ++k) {

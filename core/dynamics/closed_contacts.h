@@ -31,6 +31,8 @@ class ClosedContacts {
   [[nodiscard]] const std::vector<int>& cubes() const { return island_.cubes; }
   /// Whether nothing holds any cube: neither a contact nor a rod.
   [[nodiscard]] bool none() const { return island_.contacts.empty() && island_.rods.empty(); }
+  /// Whether one of the contacts is with a fixed body.
+  [[nodiscard]] bool on_fixed() const { return on_fixed_; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
   [[nodiscard]] bool redundant() const {
     return rubbing_.any() ? rubbing_.redundant() : !none() && solver_.dependent_rows() > 0;
@@ -55,7 +57,8 @@ class ClosedContacts {
  private:
   [[nodiscard]] Push felt(const State& state, const Vec2& center) const;
   [[nodiscard]] bool moves(const RodEnd& end) const;
-  void pose(const State& state);
+  bool pose(const State& state);
+  void find_rows(const State& state, bool moved, Order order);
 
   const System* system_;
   ProgramBuilder builder_;
@@ -63,8 +66,11 @@ class ClosedContacts {
   RubbingContacts rubbing_;
   Island island_;
   std::vector<char> resting_;
+  bool on_fixed_ = false;  ///< a contact is with a fixed body
+  bool held_ = false;      ///< a rod or pin holds a cube to one
   bool laid_out_ = false;  ///< the builder has a program over `island_`
   std::vector<Box> boxes_;
+  std::vector<double> angles_;  ///< rad, per cube of the island, of its box; empty: not posed yet
   std::vector<double> x_;
   std::vector<double> multipliers_;  ///< rods first
   std::vector<double> forces_;

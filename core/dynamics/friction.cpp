@@ -133,7 +133,8 @@ bool FrictionDynamics::rests(const State& still, const Island& island) {
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   builder_.acceleration(still, island, use);
   builder_.add_friction(still, island, use, Order::acceleration);
-  return rest_.solve(builder_.friction_program()).equilibrium();
+  if (!rest_) rest_ = std::make_unique<RestProgram>();
+  return rest_->solve(builder_.friction_program()).equilibrium();
 }
 
 IslandSolution FrictionDynamics::placement(const State& state,

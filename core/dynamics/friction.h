@@ -52,7 +52,7 @@ class FrictionDynamics {
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
-  RestProgram rest_;
+  std::unique_ptr<RestProgram> rest_;  ///< made when first needed
   Solvers accelerations_;
   Solvers impacts_;
   Solvers placements_;

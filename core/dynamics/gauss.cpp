@@ -5,6 +5,8 @@
 #include <string>
 
 #include "core/dynamics/missed_programs.h"
+#include "core/dynamics/verdict.h"
+#include "core/model/scales.h"
 
 namespace wuerfel {
 
@@ -14,18 +16,14 @@ namespace {
 /// would reach as well.
 constexpr double certificate_share = 1e-2;
 
-/// Shares of g: rest is certified below the first; what is above the second is no rounding.
-constexpr double rest_acceleration = 1e-10;
-constexpr double certain_fall = 9e-10;
+/// What is above this share of g is no rounding: less than what counts as falling.
+constexpr double certain_fall = 0.9 * falls_above;
 /// A cube may be left with this many times what the residual leaves of the largest force.
 constexpr double left_over_times = 2.0;
 
 /// Programs of so many cubes are solved exactly.
 constexpr std::size_t few_displaced_cubes = 24;
 constexpr std::size_t few_struck_cubes = 64;
-
-/// Contacts press with more than this share of the largest force.
-constexpr double pressing_share = 1e-9;
 
 }  // namespace
 
@@ -175,9 +173,8 @@ bool accelerations_vanish(const System& system,
   const double left = solution.residual * solution.largest_force();
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
     const Body& body = system.body(island.cubes[k]);
-    const Twist& a = solution.twists[k];
-    const double size = a.linear.norm() + body.size.minCoeff() * std::abs(a.angular);
-    const double rounding = rest_acceleration * gravity + left_over_times * left / body.mass;
+    const double size = size_of(body, solution.twists[k]);
+    const double rounding = stands_below * gravity + left_over_times * left / body.mass;
     if (size > std::min(rounding, certain_fall * gravity)) return false;
   }
   return true;

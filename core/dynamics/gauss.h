@@ -10,6 +10,10 @@
 
 namespace wuerfel {
 
+/// A contact presses where its force is greater than this share of the largest: a solver may leave less at contacts
+/// that don't.
+inline constexpr double pressing_share = 1e-9;
+
 /// What a program over an island says.
 struct [[nodiscard]] IslandSolution {
   QpStatus status = QpStatus::invalid;
@@ -32,8 +36,7 @@ struct [[nodiscard]] IslandSolution {
 
   /// 0 where there is no contact.
   [[nodiscard]] double largest_force() const;
-  /// A contact presses where its force is greater than this: 1e-9 of the largest, which a solver may
-  /// leave at contacts that don't.
+  /// A contact presses where its force is greater than this.
   [[nodiscard]] double least_pressing() const;
 };
 

@@ -4,36 +4,21 @@
 #include <cmath>
 #include <utility>
 
+#include "core/dynamics/verdict.h"
 #include "core/qp/coulomb/coulomb_stages.h"
 #include "core/qp/coulomb/rest_program.h"
 
 namespace wuerfel {
 namespace {
 
-/// Shares of the largest acceleration of the program: slip seen in a solution, and what is a fall.
+/// Slip is seen in a solution above this share of the largest acceleration of the program.
 constexpr double slipping = 1e-9;
-constexpr double falling = 1e-9;
 /// Above this coefficient the rows J_n +- mu J_t of the convex program are so alike that normal parts
 /// lose their digits: what can be held with less is asked first.
 constexpr double strong_friction = 8.0;
 constexpr int newton_factorisations = 8;
 constexpr int most_from_open = 600;  ///< contacts: the path from open is long
 constexpr int seeds_from_open = 3;
-
-double row_value(const SideRow& row, const ContactVelocity& v) {
-  return row.g_i.dot(v.v_i) + row.g_j.dot(v.v_j) + row.g_k.dot(v.v_k) + row.c;
-}
-
-/// J x - b
-double slack(const QuadraticProgram& program, int row, const std::vector<double>& x) {
-  double sum = -program.bound[row];
-  for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e) {
-    const std::span<const double> g = program.entry(e);
-    for (int k = 0; k < program.block_size; ++k)
-      sum += g[k] * x[program.entry_block[e] * program.block_size + k];
-  }
-  return sum;
-}
 
 std::vector<double> flat(const std::vector<Twist>& twists) {
   std::vector<double> x;
@@ -55,7 +40,7 @@ void read_forces(const ProgramBuilder& builder,
     const FrictionContact& contact = friction.contacts[n];
     solution.forces[k] = multiplier[contact.normal];
     if (contact.tangent >= 0) solution.tangential[k] = multiplier[contact.tangent];
-    solution.slacks[k] = slack(friction.program, contact.normal, x);
+    solution.slacks[k] = friction.program.slack(contact.normal, x);
   }
 }
 
@@ -128,7 +113,7 @@ std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSoluti
     const FrictionContact& contact = friction.contacts[n];
     multiplier[contact.normal] = std::max(0.0, of.forces[k]);
     if (contact.tangent < 0) continue;
-    const double ut = slack(friction.program, contact.tangent, x);
+    const double ut = friction.program.slack(contact.tangent, x);
     if (std::abs(ut) > slipping * scale)
       multiplier[contact.tangent] = std::copysign(contact.mu * multiplier[contact.normal], -ut);
   }
@@ -170,7 +155,7 @@ class FallSearch {
     stages_.point.reset(stages_.form());
     stages_.take(start_);
     if (!stage(result)) return false;
-    return std::ranges::any_of(result.x, [&](double a) { return std::abs(a) > falling * scale_; });
+    return std::ranges::any_of(result.x, [&](double a) { return std::abs(a) > falls_above * scale_; });
   }
 
   const FrictionProgram friction_;
@@ -190,7 +175,7 @@ std::vector<int> known_slips(const System& system,
     const Contact& c = island.contacts[k];
     if (system.surface(c.on, c.from).friction == 0.0) continue;
     const ContactVelocity v = contact_velocity(system, state, c);
-    const double slip = row_value(tangential_row(system, state, c, Order::velocity), v);
+    const double slip = slip_rate(system, state, c);
     const double speed = std::max({std::sqrt(system.gravity.norm() * contact_scale(system, c)),
                                    v.v_k.norm(), v.v_i.norm(), v.v_j.norm()});
     if (std::abs(slip) > dead_zone * speed) slides[k] = slip > 0.0 ? 1 : -1;

@@ -8,8 +8,25 @@
 namespace wuerfel {
 namespace {
 
-/// Normals are parallel where their cross product is no more than this.
-constexpr double parallel = 1e-9;
+/// `for_each_cube(add)` calls add(cube) for every cube that counts.
+template <typename Cubes>
+Momentum sum_momenta(const System& system, const State& state, const Cubes& for_each_cube) {
+  Momentum sum;
+  for_each_cube([&](int cube) {
+    const double mass = system.body(cube).mass;
+    sum.mass += mass;
+    sum.center += mass * state[cube].position;
+    sum.linear += mass * state[cube].velocity;
+  });
+  if (sum.mass > 0.0) sum.center /= sum.mass;
+  for_each_cube([&](int cube) {
+    const Body& body = system.body(cube);
+    const Vec2 r = state[cube].position - sum.center;
+    sum.angular += body.mass * det(r, state[cube].velocity) + body.inertia * state[cube].spin;
+    sum.inertia += body.mass * r.squaredNorm() + body.inertia;
+  });
+  return sum;
+}
 
 }  // namespace
 
@@ -55,21 +72,19 @@ void push(const System& system, const Rod& rod, double impulse, const State& pla
 }
 
 Momentum momentum_of(const System& system, const State& state, std::span<const int> cubes) {
-  Momentum sum;
-  for (const int cube : cubes) {
-    const double mass = system.body(cube).mass;
-    sum.mass += mass;
-    sum.center += mass * state[cube].position;
-    sum.linear += mass * state[cube].velocity;
-  }
-  if (sum.mass > 0.0) sum.center /= sum.mass;
-  for (const int cube : cubes) {
-    const Body& body = system.body(cube);
-    const Vec2 r = state[cube].position - sum.center;
-    sum.angular += body.mass * det(r, state[cube].velocity) + body.inertia * state[cube].spin;
-    sum.inertia += body.mass * r.squaredNorm() + body.inertia;
-  }
-  return sum;
+  return sum_momenta(system, state, [&](const auto& add) {
+    for (const int cube : cubes)
+      add(cube);
+  });
+}
+
+Momentum momentum_of_moving(const System& system,
+                            const State& state,
+                            std::span<const char> resting) {
+  return sum_momenta(system, state, [&](const auto& add) {
+    for (int cube = 0; cube < system.cubes; ++cube)
+      if (resting.empty() || resting[cube] == 0) add(cube);
+  });
 }
 
 void keep_turning(const System& system,

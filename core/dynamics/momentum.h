@@ -32,6 +32,10 @@ struct Momentum {
   double inertia = 0.0;        ///< kg m^2, about `center`
 };
 Momentum momentum_of(const System& system, const State& state, std::span<const int> cubes);
+/// The same over all cubes that do not rest (`resting`: one per cube, or empty).
+Momentum momentum_of_moving(const System& system,
+                            const State& state,
+                            std::span<const char> resting);
 
 /// Some cubes moving as one body: changes no gap between them.
 struct RigidMotion {
@@ -53,6 +57,9 @@ void keep_turning(const System& system,
 
 /// Kinetic and potential energy of some cubes, J.
 double energy_of(const System& system, const State& state, std::span<const int> cubes);
+
+/// Unit vectors are parallel where their cross product is no more than this.
+inline constexpr double parallel = 1e-9;
 
 /// The part of the motion of some cubes that contacts among themselves and with fixed bodies of these normals cannot
 /// change: all of their momentum where there is no normal, what is along the bodies where all normals are parallel,

@@ -6,26 +6,11 @@
 #include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
-namespace {
-
-bool moves(std::span<const char> resting, int cube) {
-  return resting.empty() || resting[cube] == 0;
-}
-
-std::vector<int> moving_cubes(const System& system, std::span<const char> resting) {
-  std::vector<int> cubes;
-  for (int i = 0; i < system.cubes; ++i)
-    if (moves(resting, i)) cubes.push_back(i);
-  return cubes;
-}
-
-}  // namespace
-
 Vec2 common_center(const System& system, const State& state, std::span<const char> resting) {
   double mass = 0.0;
   Vec2 sum = Vec2::Zero();
   for (int i = 0; i < system.cubes; ++i) {
-    if (!moves(resting, i)) continue;
+    if (!resting.empty() && resting[i] != 0) continue;
     mass += system.body(i).mass;
     sum += system.body(i).mass * state[i].position;
   }
@@ -82,9 +67,8 @@ Push unexplained(const System& system,
                  double dt,
                  const Push& pushes,
                  std::span<const char> resting) {
-  const std::vector<int> cubes = moving_cubes(system, resting);
-  const Momentum from = momentum_of(system, before, cubes);
-  const Momentum to = momentum_of(system, after, cubes);
+  const Momentum from = momentum_of_moving(system, before, resting);
+  const Momentum to = momentum_of_moving(system, after, resting);
   const Vec2 weight = dt * from.mass * system.gravity;
   return {to.linear - from.linear - weight - pushes.linear,
           to.angular - from.angular - pushes.angular};

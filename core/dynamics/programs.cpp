@@ -87,6 +87,12 @@ void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use)
     program_.mass.insert(program_.mass.end(), {body.mass, body.mass, body.inertia});
   }
   program_.target.resize(program_.mass.size());
+  const std::size_t rows = island.rods.size() + island.contacts.size();
+  for (auto* v : {&program_.bound, &program_.force_min, &program_.force_max})
+    v->reserve(rows);
+  program_.row_start.reserve(rows + 1);
+  program_.row_name.reserve(rows);
+  program_.entry_block.reserve(2 * rows);
   for (const int number : island.rods) {
     const Rod& rod = system_->rods[number];
     program_.add_equality(0.0);
@@ -201,9 +207,10 @@ void ProgramBuilder::add_held_place(const RodEnd& end, const Vec2& g) {
   const int first = first_block_[end.body];
   if (is_point(end.body)) return program_.add_entry(first, std::array{g.x(), g.y()});
   const auto share = share_of_points(end.at, system_->body(end.body).size);
-  for (int k = 0; k < points_per_cube; ++k)
-    if (share[k] != 0.0)
-      program_.add_entry(first + k, std::array{share[k] * g.x(), share[k] * g.y()});
+  for (int k = 0; k < points_per_cube; ++k) {
+    if (share[k] == 0.0) continue;
+    program_.add_entry(first + k, std::array{share[k] * g.x(), share[k] * g.y()});
+  }
 }
 
 void ProgramBuilder::add_side(const State& state,

@@ -8,32 +8,6 @@
 namespace wuerfel {
 namespace {
 
-bool misses(const System& system,
-            const State& state,
-            const Restricted& part,
-            const ProjectionPolicy& policy) {
-  for (std::size_t k = 0; k < part.use.size(); ++k) {
-    const Contact& c = part.island.contacts[k];
-    if (part.use[k] == SideUse::inequality && overlaps(system, c, policy.overlap)) return true;
-    if (part.use[k] == SideUse::equality && std::abs(c.gap) > policy.gap * contact_scale(system, c))
-      return true;
-  }
-  return std::ranges::any_of(part.island.rods,
-                             [&](int rod) { return !has_length(system, state, system.rods[rod]); });
-}
-
-/// Whether the closed contacts neither close nor open, and rods keep their lengths, as it is.
-bool rests(const System& system, const State& state, const Restricted& part) {
-  for (std::size_t k = 0; k < part.use.size(); ++k) {
-    const Contact& c = part.island.contacts[k];
-    if (part.use[k] == SideUse::equality
-        && contact_motion(system, state, c) != ContactMotion::resting)
-      return false;
-  }
-  return std::ranges::none_of(part.island.rods,
-                              [&](int rod) { return jerks(system, state, system.rods[rod]); });
-}
-
 /// A round of an island; it keeps to the policy where restrictions contradict one another.
 IslandSolution correct(Restricted& part,
                        const State& state,
@@ -49,7 +23,45 @@ IslandSolution correct(Restricted& part,
   return nearest_place(state, part, {}, dynamics, result.solves);
 }
 
+bool goes_too_far(const Restricted& part, const IslandSolution& solution) {
+  return std::ranges::any_of(solution.twists,
+                             [&](const Twist& d) { return d.linear.norm() > part.farthest; });
+}
+
+void take_over(const Restricted& part, const IslandSolution& solution, Projection& result) {
+  displace(part.island, solution.twists, result.state);
+  for (std::size_t k = 0; k < part.use.size(); ++k) {
+    if (part.use[k] == SideUse::inequality && solution.forces[k] > 0.0)
+      result.pushing.push_back(part.island.contacts[k]);
+  }
+}
+
 }  // namespace
+
+bool misses(const System& system,
+            const State& state,
+            const Restricted& part,
+            const ProjectionPolicy& policy) {
+  for (std::size_t k = 0; k < part.use.size(); ++k) {
+    const Contact& c = part.island.contacts[k];
+    if (part.use[k] == SideUse::inequality && overlaps(system, c, policy.overlap)) return true;
+    if (part.use[k] == SideUse::equality && std::abs(c.gap) > policy.gap * contact_scale(system, c))
+      return true;
+  }
+  return std::ranges::any_of(part.island.rods,
+                             [&](int rod) { return !has_length(system, state, system.rods[rod]); });
+}
+
+bool rests(const System& system, const State& state, const Restricted& part) {
+  for (std::size_t k = 0; k < part.use.size(); ++k) {
+    const Contact& c = part.island.contacts[k];
+    if (part.use[k] == SideUse::equality
+        && contact_motion(system, state, c) != ContactMotion::resting)
+      return false;
+  }
+  return std::ranges::none_of(part.island.rods,
+                              [&](int rod) { return jerks(system, state, system.rods[rod]); });
+}
 
 bool overlaps(const System& system, const Contact& c, double share) {
   return c.gap < -share * contact_scale(system, c);
@@ -103,15 +115,9 @@ Projection project_places(const System& system,
       result.solves.add(solution);
       if (policy.contradiction == Contradiction::leave && solution.status != QpStatus::optimal)
         continue;
-      if (std::ranges::any_of(solution.twists,
-                              [&](const Twist& d) { return d.linear.norm() > part.farthest; }))
-        return result;
-      displace(part.island, solution.twists, result.state);
+      if (goes_too_far(part, solution)) return result;
+      take_over(part, solution, result);
       corrected = true;
-      for (std::size_t k = 0; k < part.use.size(); ++k) {
-        if (part.use[k] == SideUse::inequality && solution.forces[k] > 0.0)
-          result.pushing.push_back(part.island.contacts[k]);
-      }
     }
     if (!corrected) break;
     result.moved = true;

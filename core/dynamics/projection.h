@@ -43,6 +43,14 @@ struct ProjectionPolicy {
   Contradiction contradiction = Contradiction::take;
 };
 
+/// Whether an island is to be moved.
+bool misses(const System& system,
+            const State& state,
+            const Restricted& part,
+            const ProjectionPolicy& policy);
+/// Whether the closed contacts neither close nor open, and rods keep their lengths, as it is.
+bool rests(const System& system, const State& state, const Restricted& part);
+
 struct [[nodiscard]] Projection {
   State state;
   bool moved = false;              ///< somebody was

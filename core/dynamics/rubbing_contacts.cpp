@@ -6,12 +6,10 @@
 #include <Eigen/Dense>
 
 #include "core/dynamics/rod_rows.h"
+#include "core/qp/methods/equality_solver.h"
 
 namespace wuerfel {
 namespace {
-
-/// Rows depend on one another where a pivot is below this share of the largest.
-constexpr double dependent_share = 1e-11;
 
 /// One row after the other, so that one can be handed on.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -132,9 +130,9 @@ void RubbingContacts::solve(const System& system,
       add(system, island, c, row, 1.0, e.rows.row(k));
       e.columns.row(k) = e.rows.row(k);
       e.bound[k] = -row.c;
-      if (touch.slips != 0 && order == Order::acceleration)
-        add(system, island, c, along(c, touch), -touch.slips * touch.surface.friction,
-            e.columns.row(k));
+      if (touch.slips == 0 || order != Order::acceleration) continue;
+      add(system, island, c, along(c, touch), -touch.slips * touch.surface.friction,
+          e.columns.row(k));
     }
     if (!touch.sticks) continue;
     const Contact& c = island.contacts[touch.first];

@@ -17,11 +17,6 @@ constexpr double piled_up = 1e-14;
 /// What falls by less than so many times what is uncertain may as well stand.
 constexpr double certain_times = 100.0;
 
-/// |a| + side |alpha| as a share of g, or of the scale in its place.
-double share_of(const Body& body, const Twist& a, double g) {
-  return (a.linear.norm() + body.size.minCoeff() * std::abs(a.angular)) / g;
-}
-
 /// The most that forces which are wrong by their residual may change these shares by, one per cube.
 std::vector<double> uncertain_shares(const System& system, const InstantForces& found, double g) {
   std::vector<double> shares(system.cubes, 0.0);
@@ -33,7 +28,7 @@ std::vector<double> uncertain_shares(const System& system, const InstantForces& 
       if (!system.is_cube(cube)) return;
       const Body& body = system.body(cube);
       const Twist a{force / body.mass, body.inertia > 0.0 ? det(arm, force) / body.inertia : 0.0};
-      shares[cube] += residual * share_of(body, a, g);
+      shares[cube] += residual * size_of(body, a) / g;
     };
     for (std::size_t k = 0; k < forces.size(); ++k) {
       const Contact& c = of.island.contacts[k];
@@ -79,7 +74,7 @@ Unrest unrest_of(const System& system,
   Unrest unrest;
   for (int i = 0; i < system.cubes; ++i) {
     if (!watched.empty() && watched[i] == 0) continue;
-    const double share = share_of(system.body(i), found.accelerations[i], g);
+    const double share = size_of(system.body(i), found.accelerations[i]) / g;
     unrest.most = std::max(unrest.most, share);
     unrest.certain =
         unrest.certain

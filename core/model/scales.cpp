@@ -6,6 +6,10 @@
 
 namespace wuerfel {
 
+double size_of(const Body& body, const Twist& a) {
+  return a.linear.norm() + body.smaller_side() * std::abs(a.angular);
+}
+
 Scales scales_of(const System& system, const State& state) {
   Scales scales;
   double mass = 0.0;

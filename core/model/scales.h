@@ -13,6 +13,9 @@ struct Scales {
   double weight = 1.0;   ///< N, of all cubes under that acceleration
 };
 
+/// |a| + side |alpha|, m/s^2: accelerations of a body are measured by it, of boxes those of their corners.
+double size_of(const Body& body, const Twist& a);
+
 /// Scales of a system at a state. Where nothing moves and nothing falls, V is 1.
 Scales scales_of(const System& system, const State& state);
 

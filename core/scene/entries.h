@@ -44,6 +44,7 @@ inline constexpr Limits duration{0.0, 1e9};  // s
 inline constexpr Limits friction{0.0, 1e6};
 inline constexpr Limits restitution{0.0, 1.0};
 inline constexpr Limits count{1.0, 200'000.0};
+inline constexpr Limits bays{2.0, 50'000.0};
 inline constexpr Limits seed{0.0, 9'007'199'254'740'992.0};  // 2^53: exact in every JSON reader
 inline constexpr Limits name{1.0, 100.0};
 inline constexpr Limits place{1.0, 103.0};  // a name and a part
@@ -71,7 +72,21 @@ struct Region {
   Vec2 high = Vec2::Zero();  ///< m
 };
 
+/// Choices: what a text may say. `choices` has their names in order.
+/// @{
 enum class Bond { running, stack };
+constexpr std::array<std::string_view, 2> choices(Bond /*type*/) { return {"running", "stack"}; }
+
+enum class TrussKind { pratt, howe, warren };
+constexpr std::array<std::string_view, 3> choices(TrussKind /*type*/) {
+  return {"pratt", "howe", "warren"};
+}
+
+enum class Supports { roller, pins, none };
+constexpr std::array<std::string_view, 3> choices(Supports /*type*/) {
+  return {"roller", "pins", "none"};
+}
+/// @}
 
 struct SurfaceEntry {
   std::optional<double> friction;
@@ -187,6 +202,28 @@ struct PinEntry {
   bool collide = false;
 };
 
+/// Point masses joined by rods, or cubes joined by rods or pins.
+struct ChainEntry : BrickEntry {
+  std::optional<Size> link;  ///< of a cube; none: the links are points
+  std::int64_t count = 0;
+  PlaceEntry from;
+  PlaceEntry to;
+  std::optional<double> length;  ///< m
+  bool loose = false;
+};
+
+struct TrussEntry {
+  Origin origin;
+  std::optional<std::string> name;
+  std::int64_t count = 0;
+  Vec2 from = Vec2::Zero();  ///< m, ends of the lower chord
+  Vec2 to = Vec2::Zero();
+  double height = 1.0;  ///< m
+  TrussKind kind = TrussKind::pratt;
+  Supports supports = Supports::roller;
+  double mass = 1.0;  ///< kg, of a joint
+};
+
 struct SceneEntries {
   std::int64_t version = 1;
   std::string title;
@@ -204,6 +241,8 @@ struct SceneEntries {
   std::vector<PointEntry> points;
   std::vector<RodEntry> rods;
   std::vector<PinEntry> pins;
+  std::vector<ChainEntry> chains;
+  std::vector<TrussEntry> trusses;
 };
 
 template <class Keys>
@@ -376,6 +415,54 @@ void describe(Keys& keys, PinEntry& pin) {
 }
 
 template <class Keys>
+void describe(Keys& keys, ChainEntry& chain) {
+  keys.value("name", chain.name, limits::name,
+             "Default chain1, chain2, ...; its links are chain1_1, chain1_2, ... from `from` on, "
+             "its rods chain1_rod1, ..., its pins chain1_pin1, ...");
+  keys.required("count", chain.count, limits::count, "Number of links");
+  keys.required("from", chain.from, limits::coordinate, place_doc);
+  keys.required("to", chain.to, limits::coordinate, place_doc);
+  keys.value("length", chain.length, limits::size,
+             "m, of the whole chain; default the distance of the two places, more sags along an "
+             "arc");
+  keys.value("loose", chain.loose,
+             "Whether the end of the chain hangs free: the last link ends at `to`, held by "
+             "nothing");
+  keys.value("size", chain.link, limits::size,
+             "m: the links are cubes of this side, or [length along the chain, thickness], joined "
+             "by rods over what is left of the length, by pins where nothing is; none: the links "
+             "are point masses joined by rods");
+  keys.value("mass", chain.mass, limits::mass, "kg, of one link");
+  keys.value("density", chain.density, limits::density, "kg/m^2, instead of mass");
+  keys.at_most_one({"mass", "density"});
+  keys.needs("density", "size");
+  describe_surface(keys, chain.surface);
+  keys.needs("friction", "size");
+  keys.needs("restitution", "size");
+  keys.value("color", chain.color, "\"#rrggbb\" or a name of the Okabe-Ito palette");
+  keys.needs("color", "size");
+}
+
+template <class Keys>
+void describe(Keys& keys, TrussEntry& truss) {
+  keys.value("name", truss.name, limits::name,
+             "Default truss1, truss2, ...; its joints are points: truss1_b0, truss1_b1, ... of the "
+             "lower chord, truss1_t1, ... of the upper; its rods truss1_bottom1, truss1_top1, "
+             "truss1_post1, truss1_diagonal1, ..., its supports truss1_left and truss1_right");
+  keys.required("count", truss.count, limits::bays, "Number of bays");
+  keys.required("from", truss.from, limits::coordinate, "m, left end of the lower chord");
+  keys.required("to", truss.to, limits::coordinate, "m, right end of the lower chord");
+  keys.value("height", truss.height, limits::size, "m, of the upper chord over the lower");
+  keys.value("kind", truss.kind,
+             "pratt: posts, diagonals that fall towards the middle; howe: posts, diagonals that "
+             "rise towards the middle; warren: triangles without posts");
+  keys.value("supports", truss.supports,
+             "roller: a pin at the left end and a rod of the truss's height under the right end; "
+             "pins: at both ends; none: it is free");
+  keys.value("mass", truss.mass, limits::mass, "kg, of one joint; rods have no mass");
+}
+
+template <class Keys>
 void describe(Keys& keys, SceneEntries& scene) {
   keys.value("version", scene.version, Limits{1.0, 1.0}, "Version of the scene format");
   keys.value("title", scene.title, limits::title, "Shown in pictures");
@@ -395,7 +482,9 @@ void describe(Keys& keys, SceneEntries& scene) {
   keys.tables("pin", scene.pins,
               "Pins: each keeps two places that coincide together; its two bodies don't touch each "
               "other");
-  keys.at_least_one({"cube", "tower", "wall", "pyramid", "pile", "point"});
+  keys.tables("chain", scene.chains, "Generator: a chain of point masses or cubes");
+  keys.tables("truss", scene.trusses, "Generator: a plane truss of points and rods");
+  keys.at_least_one({"cube", "tower", "wall", "pyramid", "pile", "point", "chain", "truss"});
 }
 
 }  // namespace wuerfel

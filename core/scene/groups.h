@@ -13,8 +13,9 @@ namespace wuerfel {
 
 /// What places the bodies of a group.
 enum class PlacedBy {
-  itself,    ///< a plane
+  itself,    ///< a plane, a point, the joints of a truss
   standing,  ///< a point, or a face of another body
+  chain,     ///< two places, after what stands
   pile,      ///< chance, after all others
 };
 

@@ -57,6 +57,12 @@ class Placement {
           fmt::format("\"{}\" is in a pile, which is scattered last and cannot carry anything",
                       *standing.standing->on));
     }
+    if (group(index).placed_by == PlacedBy::chain) {
+      source_.fail(
+          place_of(*standing.origin, "on"), standing.origin->path + ".on",
+          fmt::format("\"{}\" is in a chain, which is laid when all that stands has its place",
+                      *standing.standing->on));
+    }
     if (body.kind == BodyKind::point) {
       source_.fail(
           place_of(*standing.origin, "on"), standing.origin->path + ".on",

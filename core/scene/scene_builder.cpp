@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/scene/chain.h"
 #include "core/scene/groups.h"
 #include "core/scene/joints.h"
 #include "core/scene/layout.h"
 #include "core/scene/overlap.h"
 #include "core/scene/pile.h"
 #include "core/scene/placement.h"
+#include "core/scene/scene_checks.h"
 #include "core/scene/scene_parser.h"
+#include "core/scene/truss.h"
 
 namespace wuerfel {
 namespace {
@@ -35,67 +39,35 @@ double angle_of(const TurnEntry& turn) {
   return turn.angle_deg ? *turn.angle_deg / 180.0 * pi : turn.angle;
 }
 
-bool is_within(const Limits& limits, double value) {
-  return value >= limits.min && value <= limits.max;
-}
-
 class SceneBuilder {
  public:
   SceneBuilder(const SceneEntries& entries, const SceneSource& source)
       : entries_(entries), source_(source) {}
 
   Scene build() {
-    check_counts();
+    check_counts(entries_, source_);
     take_head();
     add_planes();
     add_fixed();
     add_cubes();
     add_generators();
     add_points();
+    add_linkages();
     const BodyNames names = collect_names(scene_, groups_, source_);
     place_groups(scene_, groups_, names, source_);
+    JointEntries joints{entries_.rods, entries_.pins};
+    lay_chains({scene_, groups_, names, source_}, entries_.chains, joints);
+    for (int i = 0; i < static_cast<int>(entries_.trusses.size()); ++i)
+      join_truss(entries_.trusses[i], truss_name(entries_.trusses, i), joints);
     scatter_piles(scene_, entries_.piles, source_);
     add_pairs(names);
-    add_joints(scene_, entries_, names, source_);
-    check_ranges();
-    check_overlap();
+    add_joints(scene_, joints, names, source_);
+    check_ranges(scene_, groups_, source_);
+    check_overlap(scene_, groups_, source_);
     return std::move(scene_);
   }
 
  private:
-  void check_counts() const {
-    auto cubes = static_cast<std::int64_t>(entries_.cubes.size());
-    for (const TowerEntry& tower : entries_.towers) {
-      cubes += tower.count;
-    }
-    for (const WallEntry& wall : entries_.walls) {
-      cubes += wall.rows * (wall.columns + 1);
-    }
-    for (const PyramidEntry& pyramid : entries_.pyramids) {
-      cubes += pyramid.rows * (pyramid.rows + 1) / 2;
-    }
-    for (const PileEntry& pile : entries_.piles) {
-      cubes += pile.count;
-    }
-    const auto points = static_cast<std::int64_t>(entries_.points.size());
-    if (cubes + points == 0) {
-      source_.fail({}, "",
-                   "the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
-    }
-    const std::int64_t bodies = cubes + points + static_cast<std::int64_t>(entries_.fixed.size());
-    if (bodies > most_bodies) {
-      source_.fail(
-          {}, "",
-          fmt::format("the scene has {} cubes, points and fixed boxes; at most {} are allowed",
-                      bodies, most_bodies));
-    }
-    if (static_cast<std::int64_t>(entries_.planes.size()) > most_planes) {
-      source_.fail({}, "",
-                   fmt::format("the scene has {} planes; at most {} are allowed",
-                               entries_.planes.size(), most_planes));
-    }
-  }
-
   void take_head() {
     scene_.title = entries_.title;
     scene_.gravity = entries_.gravity;
@@ -175,12 +147,13 @@ class SceneBuilder {
 
   void add_generated(const BrickEntry& entry,
                      const std::vector<Brick>& bricks,
+                     PlacedBy placed_by,
                      const StandingEntry* standing,
                      const std::string& default_name) {
     Group group;
     group.first = static_cast<int>(scene_.cubes.size());
     group.count = static_cast<int>(bricks.size());
-    group.placed_by = standing == nullptr ? PlacedBy::pile : PlacedBy::standing;
+    group.placed_by = placed_by;
     group.origin = &entry.origin;
     group.standing = standing;
     group.name = entry.name.value_or(default_name);
@@ -193,26 +166,38 @@ class SceneBuilder {
     groups_.add(std::move(group));
   }
 
+  /// Cubes that get their places later.
+  static std::vector<Brick> alike(std::int64_t count, const Vec2& size) {
+    return std::vector<Brick>(count, {Vec2::Zero(), size, 1.0});
+  }
+
   void add_generators() {
     int number = 0;
     for (const TowerEntry& tower : entries_.towers) {
-      add_generated(tower, tower_layout(tower), &tower.standing, fmt::format("tower{}", ++number));
+      add_generated(tower, tower_layout(tower), PlacedBy::standing, &tower.standing,
+                    fmt::format("tower{}", ++number));
     }
     number = 0;
     for (const WallEntry& wall : entries_.walls) {
-      add_generated(wall, wall_layout(wall), &wall.standing, fmt::format("wall{}", ++number));
+      add_generated(wall, wall_layout(wall), PlacedBy::standing, &wall.standing,
+                    fmt::format("wall{}", ++number));
     }
     number = 0;
     for (const PyramidEntry& pyramid : entries_.pyramids) {
-      add_generated(pyramid, pyramid_layout(pyramid), &pyramid.standing,
+      add_generated(pyramid, pyramid_layout(pyramid), PlacedBy::standing, &pyramid.standing,
                     fmt::format("pyramid{}", ++number));
     }
     number = 0;
-    for (const PileEntry& pile : entries_.piles) {
-      const Brick brick{Vec2::Zero(), pile.size.extent, 1.0};
-      const std::vector<Brick> bricks(pile.count, brick);
-      add_generated(pile, bricks, nullptr, fmt::format("pile{}", ++number));
+    for (int i = 0; i < static_cast<int>(entries_.chains.size()); ++i) {
+      const ChainEntry& chain = entries_.chains[i];
+      if (chain.link)
+        add_generated(chain, alike(chain.count, chain.link->extent), PlacedBy::chain, nullptr,
+                      chain_name(entries_.chains, i));
     }
+    number = 0;
+    for (const PileEntry& pile : entries_.piles)
+      add_generated(pile, alike(pile.count, pile.size.extent), PlacedBy::pile, nullptr,
+                    fmt::format("pile{}", ++number));
   }
 
   void add_points() {
@@ -223,6 +208,31 @@ class SceneBuilder {
       groups_.add(
           {BodyKind::point, index, 1, PlacedBy::itself, &entry.origin, nullptr, point.name});
       scene_.points.push_back(std::move(point));
+    }
+  }
+
+  void add_group(const Origin& origin,
+                 const std::string& name,
+                 PlacedBy placed_by,
+                 std::vector<ScenePoint> points) {
+    const auto first = static_cast<int>(scene_.points.size());
+    const auto count = static_cast<int>(points.size());
+    groups_.add({BodyKind::point, first, count, placed_by, &origin, nullptr, name});
+    std::ranges::move(points, std::back_inserter(scene_.points));
+  }
+
+  void add_linkages() {
+    for (int i = 0; i < static_cast<int>(entries_.chains.size()); ++i) {
+      const ChainEntry& chain = entries_.chains[i];
+      const std::string name = chain_name(entries_.chains, i);
+      if (!chain.link)
+        add_group(chain.origin, name, PlacedBy::chain, chain_points(chain, name, scene_.material));
+    }
+    for (int i = 0; i < static_cast<int>(entries_.trusses.size()); ++i) {
+      const TrussEntry& truss = entries_.trusses[i];
+      const std::string name = truss_name(entries_.trusses, i);
+      add_group(truss.origin, name, PlacedBy::itself,
+                truss_points(truss, name, scene_.material, source_));
     }
   }
 
@@ -240,45 +250,6 @@ class SceneBuilder {
                          entry.bodies[1]));
       }
       scene_.pairs.push_back({entry.bodies, entry.surface.friction, entry.surface.restitution});
-    }
-  }
-
-  /// What generators, faces and densities have computed must be as fit for reading as what was
-  /// written.
-  void check_ranges() const {
-    const auto check = [&](const BodyRef& body, const Vec2& position, double angle, double mass) {
-      const bool fits = is_within(limits::coordinate, position.x())
-                        && is_within(limits::coordinate, position.y())
-                        && is_within(limits::angle, angle) && is_within(limits::mass, mass);
-      if (fits) return;
-      const Origin& origin = *groups_.of(body).origin;
-      source_.fail(
-          origin.table->place, origin.path,
-          fmt::format("\"{}\" would have position [{}, {}], angle {} and mass {}, out of range",
-                      body_name(scene_, body), position.x(), position.y(), angle, mass));
-    };
-    for (std::size_t i = 0; i < scene_.fixed.size(); ++i) {
-      check({BodyKind::fixed, static_cast<int>(i)}, scene_.fixed[i].position, scene_.fixed[i].angle,
-            1.0);
-    }
-    for (std::size_t i = 0; i < scene_.cubes.size(); ++i) {
-      const SceneCube& cube = scene_.cubes[i];
-      check({BodyKind::cube, static_cast<int>(i)}, cube.position, cube.angle, cube.mass);
-    }
-  }
-
-  void check_overlap() const {
-    const std::optional<Overlap> overlap = find_overlap(scene_);
-    if (!overlap) return;
-    const Origin& first = *groups_.of(overlap->first).origin;
-    const Origin& second = *groups_.of(overlap->second).origin;
-    const Origin& later = written_before(second.table->place, first.table->place) ? first : second;
-    try {
-      source_.fail(later.table->place, later.path,
-                   overlap_message(scene_, *overlap)
-                       + "; move them apart, or let one stand on the other with `on`");
-    } catch (const SceneError& error) {
-      throw OverlapError(error.what());
     }
   }
 

@@ -1,5 +1,6 @@
 #include <initializer_list>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,8 +46,9 @@ Json schema_of(const std::string& /*type*/, const Limits& limits) {
 Json schema_of(const std::array<std::string, 2>& type, const Limits& limits) {
   return array_schema(schema_of(type[0], limits), 2);
 }
-Json schema_of(const Bond& /*type*/, const Limits& /*limits*/) {
-  return {{"type", "string"}, {"enum", {"running", "stack"}}};
+template <class T>
+requires std::is_enum_v<T> Json schema_of(const T& type, const Limits& /*limits*/) {
+  return {{"type", "string"}, {"enum", choices(type)}};
 }
 Json schema_of(const bool& /*type*/, const Limits& /*limits*/) { return {{"type", "boolean"}}; }
 Json schema_of(const PlaceEntry& /*type*/, const Limits& limits) {
@@ -82,7 +84,10 @@ Json default_of(std::int64_t value) { return value; }
 Json default_of(const std::string& value) { return value; }
 Json default_of(const Vec2& value) { return {value.x(), value.y()}; }
 Json default_of(const Size& value) { return value.extent.x(); }
-Json default_of(Bond value) { return value == Bond::running ? "running" : "stack"; }
+template <class T>
+requires std::is_enum_v<T> Json default_of(T value) {
+  return choices(value)[static_cast<int>(value)];
+}
 template <class T>
 Json default_of(const std::optional<T>& /*value*/) {
   return nullptr;

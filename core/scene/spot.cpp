@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/scene/suggestion.h"
 #include "core/scene/table_reader.h"
@@ -127,12 +128,15 @@ void read(const Spot& spot, const Limits& limits, std::array<std::string, 2>& ta
   read(item_spot(spot, items, 1), limits, target[1]);
 }
 
-void read(const Spot& spot, const Limits& /*limits*/, Bond& target) {
+int read_choice(const Spot& spot, std::span<const std::string_view> names) {
   const auto* text = std::get_if<std::string>(&spot.value.data);
-  if (text == nullptr || (*text != "running" && *text != "stack")) {
-    fail_type(spot, "\"running\" or \"stack\"");
+  const auto found = text == nullptr ? names.end() : std::ranges::find(names, *text);
+  if (found == names.end()) {
+    const std::string first =
+        fmt::format("\"{}\"", fmt::join(names.first(names.size() - 1), "\", \""));
+    fail_type(spot, fmt::format("{} or \"{}\"", first, names.back()));
   }
-  target = *text == "running" ? Bond::running : Bond::stack;
+  return static_cast<int>(found - names.begin());
 }
 
 void read(const Spot& spot, const Limits& /*limits*/, bool& target) {

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "core/scene/entries.h"
 #include "core/scene/value.h"
@@ -33,10 +35,18 @@ void read(const Spot& spot, const Limits& limits, Vec2& target);
 void read(const Spot& spot, const Limits& limits, Size& target);
 void read(const Spot& spot, const Limits& limits, Region& target);
 void read(const Spot& spot, const Limits& limits, std::array<std::string, 2>& target);
-void read(const Spot& spot, const Limits& limits, Bond& target);
 void read(const Spot& spot, const Limits& limits, bool& target);
 void read(const Spot& spot, const Limits& limits, PlaceEntry& target);
 void read(const Spot& spot, const Limits& limits, Rgb& target);
+
+/// Index of the name that stands there.
+int read_choice(const Spot& spot, std::span<const std::string_view> names);
+
+template <class T>
+requires std::is_enum_v<T>
+void read(const Spot& spot, const Limits& /*limits*/, T& target) {
+  target = static_cast<T>(read_choice(spot, choices(T{})));
+}
 
 template <class T>
 void read(const Spot& spot, const Limits& limits, std::optional<T>& target) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/union_find.h"
+#include "core/model/scales.h"
 #include "core/statics/margins.h"
 
 namespace wuerfel {
@@ -35,9 +36,11 @@ std::vector<double> rates(const Generators& generators,
                           const Island& island,
                           const std::vector<Twist>& motion) {
   std::vector<double> x;
+  x.reserve(3 * island.cubes.size());
   for (const int cube : island.cubes)
     x.insert(x.end(), {motion[cube].linear.x(), motion[cube].linear.y(), motion[cube].angular});
   std::vector<double> rates;
+  rates.reserve(generators.program.rows());
   for (int row = 0; row < generators.program.rows(); ++row)
     rates.push_back(generators.program.row_value(row, x));
   return rates;
@@ -45,9 +48,10 @@ std::vector<double> rates(const Generators& generators,
 
 Certificate certify(const StillScene& still) {
   Certificate certificate{proof(still)};
-  for (int i = 0; i < still.system.cubes; ++i)
-    certificate.power +=
-        still.system.body(i).mass * still.system.gravity.dot(certificate.motion[i].linear);
+  for (int i = 0; i < still.system.cubes; ++i) {
+    const double mass = still.system.body(i).mass;
+    certificate.power += mass * still.system.gravity.dot(certificate.motion[i].linear);
+  }
   for (const IslandForces& of : still.found.islands) {
     if (of.rests) continue;
     const Generators generators =
@@ -154,8 +158,7 @@ class Mechanism {
 
  private:
   [[nodiscard]] double size(int cube) const {
-    const Twist& a = certificate_.motion[cube];
-    return a.linear.norm() + still_.system.body(cube).smaller_side() * std::abs(a.angular);
+    return size_of(still_.system.body(cube), certificate_.motion[cube]);
   }
   [[nodiscard]] bool closed(int k) const {
     return of_.solution.slacks[k] <= same_motion * largest_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/dynamics/programs.h"
+#include "core/model/scales.h"
 #include "core/qp/coulomb/rest_program.h"
 #include "core/statics/carried.h"
 #include "core/statics/margins.h"
@@ -20,9 +21,7 @@ constexpr int most_cubes = 24;
 double largest(const StillScene& still, const Island& island, const std::vector<Twist>& a) {
   double e = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k)
-    e = std::max(e,
-                 a[k].linear.norm()
-                     + still.system.body(island.cubes[k]).smaller_side() * std::abs(a[k].angular));
+    e = std::max(e, size_of(still.system.body(island.cubes[k]), a[k]));
   return e;
 }
 

@@ -11,9 +11,6 @@ namespace {
 
 /// A normal with a smaller upward part carries nothing: the side of a neighbour.
 constexpr double upright = 1e-9;
-/// Accelerations below this share of g are rest.
-constexpr double part_rests = 1e-10;
-constexpr double pressing = 1e-9;   ///< share of the largest force
 constexpr double no_slope = 1e-14;  ///< sine of an angle that rounding leaves
 /// A contact closes that does so by more than this share of how far the part reaches.
 constexpr double closing = 1e-12;
@@ -120,7 +117,7 @@ void PartJudge::fall(const Generators& glued, PartStand& part) const {
   make_qp_solver(QpMethod::automatic, {.tolerance = 1e-12})->solve(program, result);
   const Twist a{{result.x[0], result.x[1]}, result.x[2]};
   const double radius = std::sqrt(program.mass[2] / program.mass[0]);
-  if (a.linear.norm() + radius * std::abs(a.angular) <= part_rests * g.norm()) return;
+  if (a.linear.norm() + radius * std::abs(a.angular) <= stands_below * g.norm()) return;
   part.motion = a;
   double most = 0.0;
   double largest = 0.0;
@@ -129,12 +126,13 @@ void PartJudge::fall(const Generators& glued, PartStand& part) const {
   for (int row = 0; row < program.rows(); ++row) {
     const double f = result.multiplier[row];
     const int contact = glued.share[row].contact;
-    if (contact < 0 || f <= pressing * largest) continue;
+    if (contact < 0 || f <= pressing_share * largest) continue;
     add_once(contact, part.presses);
     if (f > most) part.pivot = contact;
     most = std::max(most, f);
   }
-  if (radius * std::abs(a.angular) <= part_rests * g.norm()) part.pivot.reset();  // slides or falls
+  if (radius * std::abs(a.angular) <= stands_below * g.norm())
+    part.pivot.reset();  // slides or falls
 }
 
 /// Where all forces on the part are parallel to its weight: from the first to the last of them.
@@ -200,9 +198,11 @@ PartMotions::PartMotions(const StillScene& still,
     : still_(&still), island_(&island), mass_(generators.program.mass) {
   for (const std::vector<int>& cubes : carried_parts(still, island)) {
     std::vector<int> places;
-    for (const int cube : cubes)
-      places.push_back(
-          static_cast<int>(std::ranges::lower_bound(island.cubes, cube) - island.cubes.begin()));
+    places.reserve(cubes.size());
+    for (const int cube : cubes) {
+      const auto place = std::ranges::lower_bound(island.cubes, cube) - island.cubes.begin();
+      places.push_back(static_cast<int>(place));
+    }
     parts_.push_back(std::move(places));
   }
   // Of large piles the smallest parts alone: all of them would grow as the square of the pile.

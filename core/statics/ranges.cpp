@@ -4,18 +4,15 @@
 #include <cmath>
 
 #include "core/dynamics/contact_rows.h"
+#include "core/dynamics/momentum.h"
 #include "core/statics/generators.h"
 #include "core/statics/loads.h"
 
 namespace wuerfel {
 namespace {
 
-/// Sines of angles up to this are none.
-constexpr double parallel = 1e-9;
 /// A contact opens, or slips, that accelerates by more than this share of g.
 constexpr double departing = 1e-8;
-/// Shares of the largest force: less is none.
-constexpr double no_force = 1e-9;
 
 double row_value(const ContactRow& row, const Twist& on, const Twist& from) {
   const auto part = [](const std::array<double, 3>& J, const Twist& a) {
@@ -147,9 +144,10 @@ LoadRange IslandRanges::sum(const std::vector<double>& of_rows) {
 
 LoadRange IslandRanges::force(const std::vector<int>& contacts) {
   std::vector<double> of_rows(used_.size(), 0.0);
-  for (std::size_t row = 0; row < used_.size(); ++row)
-    if (std::ranges::find(contacts, generators_.share[row].contact) != contacts.end())
-      of_rows[row] = generators_.share[row].normal;
+  for (std::size_t row = 0; row < used_.size(); ++row) {
+    const auto& share = generators_.share[row];
+    if (std::ranges::find(contacts, share.contact) != contacts.end()) of_rows[row] = share.normal;
+  }
   LoadRange range = sum(of_rows);
   range.low = std::max(range.low, 0.0);
   return range;
@@ -170,9 +168,10 @@ LoadRange IslandRanges::center(const std::vector<int>& contacts, const std::vect
   }
   QuadraticProgram program = with_block(entries);
   program.add_inequality(0.0);
-  for (int k = 0; k < static_cast<int>(of_.island.cubes.size()); ++k)
-    program.add_entry(
-        k, std::array{load_[3 * k] / unit_, load_[3 * k + 1] / unit_, load_[3 * k + 2] / unit_});
+  for (int k = 0; k < static_cast<int>(of_.island.cubes.size()); ++k) {
+    const double* load = load_.data() + 3 * k;
+    program.add_entry(k, std::array{load[0] / unit_, load[1] / unit_, load[2] / unit_});
+  }
   Load w(program.mass.size(), 0.0);
   Load q(program.mass.size(), 0.0);
   w[load_.size()] = -unit_;
@@ -194,11 +193,11 @@ bool IslandRanges::may_carry(int row) {
     largest = std::max(largest, f);
   // The edges of a cone share a force: N = n (f + f'), T = t (f - f').
   const double f = share.tangential == 0.0 ? N : 0.5 * (N / share.normal + T / share.tangential);
-  if (f > no_force * largest) return true;
+  if (f > pressing_share * largest) return true;
   if (of_.forces.unique[share.contact] != 0) return false;
   std::vector<double> of_rows(used_.size(), 0.0);
   of_rows[row] = 1.0;
-  return sum(of_rows).high > no_force * std::max(largest, unit_);
+  return sum(of_rows).high > pressing_share * std::max(largest, unit_);
 }
 
 int IslandRanges::degree() {
@@ -269,7 +268,7 @@ void add_resultant(const IslandForces& of, Face& face) {
     // Seen from either body the tangential force runs along the normal turned left.
     if (!of.forces.tangential.empty()) seen.tangential += of.forces.tangential[k];
   }
-  if (seen.force <= no_force * largest) return;
+  if (seen.force <= pressing_share * largest) return;
   const double x = moment / seen.force;
   seen.center = seen.middle + x * perp(seen.normal);
   seen.center_range = {x, x, 0.0};
@@ -289,10 +288,11 @@ void add_face_ranges(IslandRanges& ranges, bool unique, Face& face) {
   seen.force_range = {seen.force, seen.force, 0.0};
   if (unique) return;
   seen.force_range = ranges.force(face.contacts);
-  if (seen.length > 0.0)
+  if (seen.length > 0.0) {
     seen.center_range = ranges.center(face.contacts, face.place);
-  else if (seen.force_range.high > 0.0)
+  } else if (seen.force_range.high > 0.0) {
     seen.center_range = {0.0, 0.0, 0.0};
+  }
 }
 
 void add_island(const StillScene& still,

@@ -57,6 +57,14 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   return part;
 }
 
+/// What has been added after the first `known`; what happened at one time keeps its order.
+template <typename Entry>
+void sort_by_time(std::vector<Entry>& list, std::size_t known) {
+  if (list.size() - known < 2) return;
+  std::ranges::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(known), list.end(), {},
+                           &Entry::t);
+}
+
 /// How far bodies fall before something stops them, as a scale, m: L, or, where rods hold them, how far these reach.
 double free_fall(const System& system, const State& start, const Scales& scales) {
   if (system.rods.empty()) return scales.length;
@@ -149,7 +157,7 @@ const Bookkeeping& IslandMotion::book() {
   for (std::size_t k = next_loss_; k < computed_.losses.size(); ++k) {
     const Loss& loss = computed_.losses[k];
     if (!loss.friction || loss.since >= time_) continue;
-    friction += loss.energy * (time_ - loss.since) / (loss.t - loss.since);
+    friction += loss.by(time_);
     under_way += loss.energy;
   }
   shown_.audit = computed_.audit;
@@ -203,8 +211,7 @@ void IslandMotion::predict(const State& state, double length) {
     const BodyState& s = state[i];
     if (length == 0.0 || resting_[i] != 0) {
       const Box box = make_box(s.position, s.angle, body.size);
-      const Vec2 extent = box.extent() + Vec2::Constant(margin_share * box.smaller_side());
-      bounds_[i] = {s.position - extent, s.position + extent};
+      bounds_[i] = posed_bounds(box, margin_share * box.smaller_side());
       continue;
     }
     const double radius = (0.5 + margin_share) * body.size.norm();
@@ -212,9 +219,7 @@ void IslandMotion::predict(const State& state, double length) {
     // Where contacts act a cube may go anywhere within what its speed and gravity allow.
     const double reach =
         (sweep_reserve - 1.0) * (length * s.velocity.norm() + 0.5 * length * length * g.norm());
-    const Vec2 extent = Vec2::Constant(radius + reach);
-    bounds_[i] = {s.position.cwiseMin(s.position + free) - extent,
-                  s.position.cwiseMax(s.position + free) + extent};
+    bounds_[i] = predicted_bounds(s.position, s.position + free, Vec2::Constant(radius + reach));
   }
 }
 
@@ -351,12 +356,14 @@ void IslandMotion::move_groups() {
     // One group alone meets nobody: it need not stop at the end of a window.
     const bool alone = groups_.size() == 1;
     end_ = begin_ + length_;
+    double limit = end_;
+    if (alone) limit = forever;
     for (Group& group : groups_) {
       Track& track = *group.track;
       while (track.clock() < end_) {
         beat();
         work_ += static_cast<long>(group.cubes.size());
-        track.advance(alone ? forever : end_);
+        track.advance(limit);
       }
       if (alone) end_ = track.clock();
     }
@@ -402,11 +409,8 @@ void IslandMotion::commit() {
     add(book, computed_);
     book = {};
   }
-  std::stable_sort(computed_.events.begin() + static_cast<std::ptrdiff_t>(first),
-                   computed_.events.end(),
-                   [](const Event& a, const Event& b) { return a.t < b.t; });
-  std::stable_sort(computed_.losses.begin() + static_cast<std::ptrdiff_t>(first_loss),
-                   computed_.losses.end(), [](const Loss& a, const Loss& b) { return a.t < b.t; });
+  sort_by_time(computed_.events, first);
+  sort_by_time(computed_.losses, first_loss);
   note_unexplained(momentum_, computed_);
 }
 

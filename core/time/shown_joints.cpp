@@ -70,8 +70,7 @@ bool is_carried(const System& system, const Contact& contact) {
 }
 
 double least_pressing(const ContactForces& forces) {
-  constexpr double share = 1e-9;
-  return forces.force.empty() ? 0.0 : share * std::ranges::max(forces.force);
+  return forces.force.empty() ? 0.0 : pressing_share * std::ranges::max(forces.force);
 }
 
 // Two boxes, or a box and a plane, are convex: they touch by one face.
@@ -86,9 +85,10 @@ void add_joints(const System& system, const IslandForces& of, std::vector<Snapsh
     include(of, k, growing[entry->second]);
   }
   const double least = least_pressing(of.forces);
-  for (const Growing& joint : growing)
-    if (joint.pressure > least && !rests_on_point(system, joint.joint))
-      joints.push_back(finish(system, joint));
+  for (const Growing& joint : growing) {
+    if (joint.pressure <= least || rests_on_point(system, joint.joint)) continue;
+    joints.push_back(finish(system, joint));
+  }
 }
 
 }  // namespace wuerfel

@@ -32,6 +32,8 @@ class Simulation {
   /// Throws RestartError (core/time/restart_point.h) where the bytes are none.
   Simulation(const Scene& scene, const MotionSettings& settings, std::string_view restart_point);
   ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 

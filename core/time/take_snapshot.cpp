@@ -138,10 +138,15 @@ void add_points(const System& system, const State& state, Snapshot& snapshot) {
   }
 }
 
-void add_contacts(const Island& island, Snapshot& snapshot) {
+void add_contacts(const System& system,
+                  const State& state,
+                  const Island& island,
+                  Snapshot& snapshot) {
   for (const Contact& c : island.contacts) {
     const Vec2 p_i = c.point - c.gap * c.normal - c.alpha * (c.arm_j - c.arm_i);
-    snapshot.contacts.push_back({p_i, p_i + (c.arm_j - c.arm_i), c.point, c.normal});
+    const ContactVelocity v = contact_velocity(system, state, c);
+    snapshot.contacts.push_back({p_i, p_i + (c.arm_j - c.arm_i), c.point, c.normal, v.v_i, v.v_j,
+                                 v.v_k, box_of(system, c.on), box_of(system, c.from)});
   }
 }
 
@@ -192,7 +197,7 @@ Snapshot take_snapshot(const Scene& scene,
   for (const IslandForces& of : found.islands) {
     if (request.forces) add_forces(system, of, snapshot);
     if (request.joints) add_joints(system, of, snapshot.joints);
-    if (request.contacts) add_contacts(of.island, snapshot);
+    if (request.contacts) add_contacts(system, state, of.island, snapshot);
   }
   if (request.rods) add_rods(system, state, found, request.rod_forces, snapshot);
   return snapshot;

@@ -126,25 +126,35 @@ void paint(const FrameParts& parts, const PendingArrow& arrow, const ArrowShape&
   }
 }
 
-/// From a dot at the centre of the cube, so that it is seen whose it is.
+/// From a dot, so that it is seen where it belongs to.
 void add_vector(const FrameParts& parts,
                 const Vec2& from,
                 const Vec2& vector,
                 ArrowForm form,
                 Color color,
-                std::vector<PendingArrow>& arrows) {
+                std::vector<PendingArrow>& arrows,
+                double dot = 0.0) {
   const Vec2 tip = from + vector;
   if (vector.norm() * parts.view.pixels_per_metre < shortest_arrow * parts.unit) return;
-  arrows.push_back({styled_arrow(parts, parts.pixel(from), parts.pixel(tip), color), form});
+  arrows.push_back(
+      {styled_arrow(parts, parts.pixel(from), parts.pixel(tip), color), form, false, 0.0, dot});
 }
 
 void add_velocities(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
+  const auto add = [&](const Vec2& place, const Vec2& velocity) {
+    add_vector(parts, place, parts.options.metres_per_speed * velocity, ArrowForm::open,
+               parts.style.velocity, arrows, center_dot);
+  };
+  if (shows_symbols(parts)) {
+    for (const SnapshotContact& contact : parts.snapshot.contacts) {
+      add(contact.p_i, contact.v_i);
+      add(contact.p_j, contact.v_j);
+      add(contact.p_k, contact.v_k);
+    }
+    return;
+  }
   for (const SnapshotBox& box : parts.snapshot.boxes) {
-    const std::size_t before = arrows.size();
-    add_vector(parts, box.center, parts.options.metres_per_speed * box.velocity, ArrowForm::open,
-               parts.style.velocity, arrows);
-    if (arrows.size() > before)
-      add_dot(parts, parts.pixel(box.center), parts.style.velocity, center_dot);
+    add(box.center, box.velocity);
   }
 }
 
@@ -154,8 +164,10 @@ void add_accelerations(const FrameParts& parts, std::vector<PendingArrow>& arrow
   for (const SnapshotBox& box : parts.snapshot.boxes) {
     if (box.fixed) continue;
     const auto add = [&](const Vec2& from, const Vec2& acceleration) {
-      add_vector(parts, from, scale * acceleration, ArrowForm::twice, parts.style.acceleration,
-                 arrows);
+      const Vec2 shown = shown_acceleration(acceleration, parts.snapshot.gravity);
+      const std::size_t before = arrows.size();
+      add_vector(parts, from, scale * shown, ArrowForm::twice, parts.style.acceleration, arrows);
+      if (arrows.size() > before) arrows.back().cut = shown != acceleration;
     };
     add(box.center, box.acceleration);
     const double turning =
@@ -202,6 +214,7 @@ void paint_arrows(const FrameParts& parts, const std::vector<PendingArrow>& arro
   }
   for (const PendingArrow& arrow : arrows) {
     const ArrowShape shape = shape_of(arrow);
+    if (arrow.dot > 0.0) add_dot(parts, shape.tail, shape.color, arrow.dot);
     paint(parts, arrow, shape);
     if (arrow.form == ArrowForm::hollow) parts.list.add(inside_of(parts, shape));
     if (arrow.cut) add_break(parts, shape);
@@ -216,12 +229,14 @@ void paint_normal(const FrameParts& parts, Pixel tail, Pixel tip) {
   add_open(arrow, 1, parts.list);
 }
 
+Vec2 normal_tip(const FrameParts& parts, const SnapshotContact& contact) {
+  const double length = shows_symbols(parts) ? 2.0 * normal_length : normal_length;
+  return contact.p_k + parts.metres(length * parts.unit * parts.fineness) * contact.normal;
+}
+
 void add_normals(const FrameParts& parts) {
-  const double length = parts.metres(normal_length * parts.unit * parts.fineness);
-  for (const SnapshotContact& contact : parts.snapshot.contacts) {
-    paint_normal(parts, parts.pixel(contact.p_k),
-                 parts.pixel(contact.p_k + length * contact.normal));
-  }
+  for (const SnapshotContact& contact : parts.snapshot.contacts)
+    paint_normal(parts, parts.pixel(contact.p_k), parts.pixel(normal_tip(parts, contact)));
 }
 
 std::vector<PendingArrow> add_arrows(const FrameParts& parts) {
@@ -235,8 +250,11 @@ std::vector<PendingArrow> add_arrows(const FrameParts& parts) {
   }
   paint_arrows(parts, arrows);
   for (const PendingArrow& arrow : arrows) {
-    parts.labels.keep_off(arrow.shape.tail, arrow.shape.tip,
-                          static_cast<double>(arrow.shape.head_half_width));
+    const ArrowShape& shape = arrow.shape;
+    const Frame frame(shape);
+    const Pixel neck = frame.at(std::max(frame.length() - shape.head_length, 0.0F), 0.0F);
+    parts.labels.keep_off(shape.tail, neck, static_cast<double>(shape.half_width));
+    parts.labels.keep_off(neck, shape.tip, static_cast<double>(shape.head_half_width));
   }
   return arrows;
 }

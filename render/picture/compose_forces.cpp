@@ -1,8 +1,9 @@
 // Forces: what bodies do to each other at the faces by which they touch; the same corner by corner;
-// weights; pressure, lines of thrust, chains of forces, impacts.
+// weights; pressure, impacts.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,16 @@ namespace {
 constexpr double tooth_spacing = 7.0;   ///< of the comb that shows a pressure
 constexpr double pressure_share = 0.3;  ///< of an arrow's length, that an even pressure is deep
 constexpr double deepest = 0.45;        ///< m of pressure per m of typical arrow limit
-constexpr double dash = 8.0;
-constexpr double dash_gap = 5.0;
-constexpr double widest_chain = 0.3;  ///< of the side of a typical cube
-constexpr int digits = 3;             ///< of numbers beside arrows
+constexpr int digits = 3;               ///< of numbers beside arrows
 
 Color joint_color(const FrameParts& parts) { return parts.style.contact; }
 
-/// A number beside an arrow: right or left of its middle, of its tail, or behind that.
-void label_arrow(const FrameParts& parts, const ArrowShape& arrow, double newton) {
+/// A number at an arrow: behind its tail, right or left of its middle or of its tail. Tails of weights
+/// are centres, and what stands behind them would seem to belong to the body.
+void label_arrow(const FrameParts& parts, const PendingArrow& pending) {
+  const ArrowShape& arrow = pending.shape;
   TextShape text;
-  text.text = with_prefix(newton, "N", digits);
+  text.text = with_prefix(pending.newton, "N", digits, Zeros::kept);
   text.size = static_cast<float>(0.86 * parts.style.text_size * parts.unit);
   text.color = arrow.color;
   text.halo = parts.style.halo;
@@ -35,17 +35,22 @@ void label_arrow(const FrameParts& parts, const ArrowShape& arrow, double newton
   const float gap =
       parts.weight(parts.style.arrow_head_width) * 0.5F + static_cast<float>(4.0 * parts.unit);
   const float down = 0.36F * text.size;
-  const float x = arrow.tail.x;
   const float middle = 0.5F * (arrow.tail.y + arrow.tip.y) + down;
   const float tail = arrow.tail.y + down;
   const float mean = 0.5F * (arrow.tail.x + arrow.tip.x);
-  const std::array<Pixel, 6> places{{{mean + gap, middle},
+  const float length = std::hypot(arrow.tip.x - arrow.tail.x, arrow.tip.y - arrow.tail.y);
+  const Pixel back{(arrow.tail.x - arrow.tip.x) / length, (arrow.tail.y - arrow.tip.y) / length};
+  const float away = static_cast<float>(5.0 * parts.unit) + 0.5F * std::abs(back.x) * width
+                     + 0.48F * std::abs(back.y) * text.size;
+  const Pixel behind{arrow.tail.x + away * back.x - 0.5F * width, tail + away * back.y};
+  const std::array<Pixel, 5> places{{behind,
+                                     {mean + gap, middle},
                                      {mean - gap - width, middle},
-                                     {x + gap, tail},
-                                     {x - gap - width, tail},
-                                     {x - 0.5F * width, arrow.tail.y + 1.2F * text.size},
-                                     {x - 0.5F * width, arrow.tip.y - 0.4F * text.size}}};
-  parts.labels.place(std::move(text), places, parts.font, parts.list);
+                                     {arrow.tail.x + gap, tail},
+                                     {arrow.tail.x - gap - width, tail}}};
+  const std::span<const Pixel> wanted(places);
+  parts.labels.place(std::move(text), pending.dot > 0.0 ? wanted.subspan(1) : wanted, parts.font,
+                     parts.list);
 }
 
 /// A pressure along a face, from one end to the other: N/m at both. Where the resultant lies outside
@@ -104,59 +109,6 @@ void add_comb(const FrameParts& parts, const SnapshotJoint& joint, const Pressur
   }
 }
 
-void add_dashes(const FrameParts& parts, const Vec2& from, const Vec2& to) {
-  SegmentShape stroke;
-  stroke.half_width = 0.5F * parts.weight(2.6);
-  stroke.round = 0.0F;
-  stroke.color = parts.style.thrust;
-  const double length = (to - from).norm();
-  const double period = parts.metres((dash + dash_gap) * parts.unit);
-  const double drawn = parts.metres(dash * parts.unit);
-  for (int k = 0; k * period < length && k < 1000; ++k) {
-    const double end = std::min(k * period + drawn, length);
-    stroke.from = parts.pixel(from + k * period / length * (to - from));
-    stroke.to = parts.pixel(from + end / length * (to - from));
-    parts.list.add(stroke);
-  }
-}
-
-/// The joints of a box: those that carry it, and those by which it carries.
-struct Loads {
-  std::vector<const SnapshotJoint*> below;
-  std::vector<const SnapshotJoint*> above;
-};
-
-std::vector<Loads> loads_of_boxes(const Snapshot& snapshot) {
-  std::vector<Loads> of(snapshot.boxes.size());
-  for (const SnapshotJoint& joint : snapshot.joints) {
-    if (joint.body >= 0) of[joint.body].below.push_back(&joint);
-    if (joint.other >= 0 && joint.other < std::ssize(of)) of[joint.other].above.push_back(&joint);
-  }
-  return of;
-}
-
-/// Where the forces of a box meet: at the centre of one that carries nothing, else in their middle.
-Vec2 hub(const SnapshotBox& box, const Loads& of) {
-  if (of.above.empty()) return box.center;
-  Vec2 sum = Vec2::Zero();
-  double total = 0.0;
-  for (const auto* side : {&of.above, &of.below}) {
-    for (const SnapshotJoint* joint : *side) {
-      sum += joint->force.norm() * joint->point;
-      total += joint->force.norm();
-    }
-  }
-  return sum / total;
-}
-
-/// Whether the resultant acts at an end of the face: the body is about to turn about it.
-bool is_hinge(const SnapshotJoint& joint) {
-  constexpr double share = 5e-3;
-  const double nearest =
-      std::min((joint.point - joint.from).norm(), (joint.point - joint.to).norm());
-  return nearest <= share * (joint.to - joint.from).norm();
-}
-
 }  // namespace
 
 double least_arrow(const FrameParts& parts) {
@@ -169,8 +121,10 @@ double least_arrow(const FrameParts& parts) {
 void add_dot(const FrameParts& parts, Pixel place, Color color, double radius) {
   DiscShape dot;
   dot.center = place;
-  dot.radius = std::max(parts.weight(radius), 0.8F);
+  dot.outline_width = parts.style.halo.a > 0 ? parts.weight(1.0) : 0.0F;
+  dot.radius = std::max(parts.weight(radius), 0.8F) + dot.outline_width;
   dot.fill = color;
+  dot.outline = parts.style.halo;
   parts.list.add(dot);
 }
 
@@ -221,11 +175,13 @@ void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
     if (box.fixed || !(magnitude > 0.0)) continue;
     const double full = magnitude * scale.metres_per_newton;
     const Pixel center = parts.pixel(box.center);
-    add_dot(parts, center, parts.style.own_weight, magnitude < least ? force_dot : 1.4 * force_dot);
-    if (magnitude < least) continue;
+    if (magnitude < least) {
+      add_dot(parts, center, parts.style.own_weight, force_dot);
+      continue;
+    }
     const Vec2 tip = box.center + std::min(full, scale.longest) / magnitude * weight;
     arrows.push_back({styled_arrow(parts, center, parts.pixel(tip), parts.style.own_weight),
-                      ArrowForm::filled, full > scale.longest, magnitude});
+                      ArrowForm::filled, full > scale.longest, magnitude, force_dot});
   }
 }
 
@@ -234,55 +190,6 @@ void add_pressure(const FrameParts& parts) {
   for (const SnapshotJoint& joint : parts.snapshot.joints) {
     const Pressure pressure = pressure_of(joint);
     if (pressure.at_from + pressure.at_to > 0.0) add_comb(parts, joint, pressure);
-  }
-}
-
-void add_thrust(const FrameParts& parts) {
-  const std::vector<Loads> of = loads_of_boxes(parts.snapshot);
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const auto& [below, above] = of[i];
-    if (below.empty()) continue;
-    if (below.size() == 1 && above.size() == 1) {
-      add_dashes(parts, above.front()->point, below.front()->point);
-      continue;
-    }
-    const Vec2 middle = hub(parts.snapshot.boxes[i], of[i]);
-    for (const auto* side : {&above, &below})
-      for (const SnapshotJoint* joint : *side)
-        add_dashes(parts, joint->point, middle);
-  }
-  for (const SnapshotJoint& joint : parts.snapshot.joints) {
-    if (!is_hinge(joint)) continue;
-    DiscShape hinge;
-    hinge.center = parts.pixel(joint.point);
-    hinge.radius = parts.weight(5.0);
-    hinge.outline_width = parts.weight(2.2);
-    hinge.fill = with_alpha(parts.style.joint, 1.0);
-    hinge.outline = parts.style.thrust;
-    parts.list.add(hinge);
-  }
-}
-
-void add_chains(const FrameParts& parts) {
-  const ForceScale& scale = parts.options.force_scale;
-  SegmentShape chain;
-  chain.color = with_alpha(parts.style.chain, 0.85);
-  const auto& boxes = parts.snapshot.boxes;
-  for (const SnapshotJoint& joint : parts.snapshot.joints) {
-    const double length = std::min(scale.metres_per_newton * joint.force.norm(), scale.longest);
-    const double width = widest_chain * length * parts.view.pixels_per_metre;
-    if (width < 0.25) continue;
-    chain.half_width = static_cast<float>(0.5 * width);
-    const Pixel place = parts.pixel(joint.point);
-    const bool box = joint.other >= 0 && joint.other < std::ssize(boxes);
-    const Vec2 other =
-        box ? boxes[joint.other].center
-            : Vec2(joint.point - 0.4 * boxes[joint.body].size.minCoeff() * joint.normal);
-    for (const Pixel end : {parts.pixel(boxes[joint.body].center), parts.pixel(other)}) {
-      chain.from = place;
-      chain.to = end;
-      parts.list.add(chain);
-    }
   }
 }
 
@@ -315,7 +222,7 @@ void add_impacts(const FrameParts& parts) {
 
 void add_values(const FrameParts& parts, const std::vector<PendingArrow>& arrows) {
   for (const PendingArrow& arrow : arrows)
-    if (arrow.newton > 0.0) label_arrow(parts, arrow.shape, arrow.newton);
+    if (arrow.newton > 0.0) label_arrow(parts, arrow);
 }
 
 }  // namespace wuerfel::internal

@@ -36,6 +36,16 @@ double frame_unit(int width, int height, double scale) {
   return scale * std::max(std::sqrt(area), smallest_unit);
 }
 
+bool shows_paths(const FrameOptions& options) {
+  return options.force_scale.metres_per_newton > 0.0 && !options.layers.has(Layer::thrust);
+}
+
+Vec2 shown_acceleration(const Vec2& acceleration, const Vec2& gravity) {
+  const double most = most_gravities * gravity.norm();
+  const double size = acceleration.norm();
+  return most > 0.0 && size > most ? Vec2(most / size * acceleration) : acceleration;
+}
+
 bool is_crowd(const Snapshot& snapshot) {
   return std::ranges::count(snapshot.boxes, false, &SnapshotBox::fixed) >= crowd;
 }
@@ -141,8 +151,10 @@ DrawList compose_frame(const Snapshot& snapshot,
   if (shows_bodies || parts.has(Layer::rods) || parts.has(Layer::rod_forces))
     part("links", internal::add_links);
   if (parts.has(Layer::joints)) part("pressure", internal::add_pressure);
+  const bool many = is_crowd(snapshot);
+  if (parts.has(Layer::forces) && !many && shows_paths(options)) part("paths", internal::add_paths);
   if (parts.has(Layer::thrust)) part("thrust", internal::add_thrust);
-  if (parts.has(Layer::forces) && is_crowd(snapshot)) part("chains", internal::add_chains);
+  if (parts.has(Layer::forces) && many) part("chains", internal::add_chains);
   if (parts.has(Layer::forces)) part("impacts", internal::add_impacts);
   list.begin_group("arrows");
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
@@ -154,6 +166,7 @@ DrawList compose_frame(const Snapshot& snapshot,
   if (!snapshot.reason && parts.has(Layer::hud)) part("hud", internal::add_hud);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
+  if (parts.has(Layer::symbols)) part("symbols", internal::add_symbols);
   if (parts.has(Layer::names)) add_names(parts);
   return list;
 }

@@ -31,11 +31,28 @@ std::string fitted(const FrameParts& parts, const std::string& text, double size
   return shorter + "…";
 }
 
+/// J, of which an energy is a difference: what is far below is the rounding of a sum.
+double energy_at_work(const Snapshot& snapshot) {
+  double sum = 0.0;
+  for (const SnapshotBox& box : snapshot.boxes)
+    sum += box.mass
+           * (std::abs(snapshot.gravity.dot(box.center)) + snapshot.gravity.norm() * box.size.norm()
+              + 0.5 * box.velocity.squaredNorm());
+  for (const SnapshotMass& mass : snapshot.masses)
+    sum += mass.mass
+           * (std::abs(snapshot.gravity.dot(mass.position)) + 0.5 * mass.velocity.squaredNorm());
+  return sum;
+}
+
 std::string energy_text(const Snapshot& snapshot) {
-  const double size = std::max(std::abs(snapshot.energy), std::abs(snapshot.energy_start));
-  std::string text = "E = " + energy_label(snapshot.energy, size);
+  constexpr double resolved = 1e-6;  // of changes; the error budget of states is 1e-8
+  constexpr double rounding = 1e-9;
+  const double work = energy_at_work(snapshot);
+  const double energy = std::abs(snapshot.energy) <= rounding * work ? 0.0 : snapshot.energy;
+  const double size = std::max(std::abs(energy), std::abs(snapshot.energy_start));
+  std::string text = "E = " + energy_label(energy, size > rounding * work ? size : 0.0);
   const double change = snapshot.energy - snapshot.energy_start;
-  if (std::abs(change) <= 1e-6 * size) return text;
+  if (std::abs(change) <= resolved * std::max(size, work)) return text;
   return text
          + fmt::format(" ({}{})", change > 0.0 ? "+" : "−", energy_label(std::abs(change), 0.0));
 }
@@ -66,6 +83,15 @@ void add_head(const FrameParts& parts) {
   text.paint();
 }
 
+void add_acceleration_entries(const FrameParts& parts, LegendRow& row) {
+  const FrameOptions& options = parts.options;
+  const bool force = options.layers.has(Layer::forces) || options.layers.has(Layer::contact_forces);
+  row.arrow({options.metres_per_acceleration, "m/s²", ""}, parts.style.acceleration,
+            ArrowForm::twice);
+  if (!force && options.legend.has(LegendEntry::cut))
+    row.sample("longer than shown", parts.style.acceleration, {.cut = true});
+}
+
 /// The arrows of forces: their scale, and what else is to be known of them.
 void add_force_entries(const FrameParts& parts, LegendRow& row) {
   const FrameOptions& options = parts.options;
@@ -79,7 +105,8 @@ void add_force_entries(const FrameParts& parts, LegendRow& row) {
     row.arrow({scale, "N", ""}, color, ArrowForm::filled);
   }
   if (parts.has(Layer::weights)) row.sample("weight", parts.style.own_weight, {});
-  if (options.legend.has(LegendEntry::several)) row.sample("one of many", color, {.hollow = true});
+  if (options.legend.has(LegendEntry::several))
+    row.sample("one of many possible", color, {.hollow = true});
   if (options.legend.has(LegendEntry::cut)) row.sample("longer than shown", color, {.cut = true});
   if (options.legend.has(LegendEntry::hidden))
     row.dot(fmt::format("below {}", with_prefix(least_arrow(parts), "N", 2)), color);
@@ -97,9 +124,12 @@ void add_entries(const FrameParts& parts, LegendRow& row) {
   if (parts.has(Layer::velocities) && options.metres_per_speed > 0.0)
     row.arrow({options.metres_per_speed, "m/s", ""}, parts.style.velocity, ArrowForm::open);
   if (parts.has(Layer::accelerations) && options.metres_per_acceleration > 0.0)
-    row.arrow({options.metres_per_acceleration, "m/s²", ""}, parts.style.acceleration,
-              ArrowForm::twice);
+    add_acceleration_entries(parts, row);
+  if (parts.has(Layer::joints) && options.force_scale.metres_per_newton > 0.0)
+    row.comb("pressure", parts.style.contact);
   if (parts.has(Layer::thrust)) row.dashes("thrust", parts.style.thrust);
+  if (parts.has(Layer::forces) && !is_crowd(parts.snapshot) && shows_paths(options))
+    row.swatch("thrust", with_alpha(parts.style.ink, path_alpha));
   if (parts.has(Layer::normals)) row.normal("normal");
   if (parts.has(Layer::rod_forces)) {
     const double full = options.full_rod_force;

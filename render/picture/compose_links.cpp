@@ -77,6 +77,9 @@ void add_pins(const FrameParts& parts) {
     if (!link.pin) continue;
     ring.center = parts.pixel(link.a);
     parts.list.add(ring);
+    if (link.a == link.b) continue;  // but of a free-body diagram
+    ring.center = parts.pixel(link.b);
+    parts.list.add(ring);
   }
 }
 

@@ -11,7 +11,7 @@ namespace wuerfel {
 namespace {
 
 constexpr double longest_in_sides = 0.8;
-constexpr double least_weight_in_sides = 0.1;
+constexpr double least_weight_in_sides = 0.15;
 constexpr double largest_weight_in_sides = 0.5;
 constexpr double cut_of_given_scale_in_sides = 6.0;
 constexpr double ordinary_share = 0.95;  ///< of all forces is drawn at full length

@@ -44,7 +44,7 @@ class ForceRange {
   double typical_weight() const { return weight_; }  ///< N, the median of m g over the cubes
 
   /// The scale at which the largest force is 0.8 typical sides long, but a typical weight at least
-  /// 0.1 and at most 0.5. What is longer than 0.8 sides is cut. The largest twentieth of all forces
+  /// 0.15 and at most 0.5. What is longer than 0.8 sides is cut. The largest twentieth of all forces
   /// does not count: a few peaks must not make all others small.
   ForceScale scale() const;
 

@@ -30,8 +30,16 @@ struct FrameOptions {
 constexpr int crowd = 300;
 bool is_crowd(const Snapshot& snapshot);
 
+/// Whether the layer forces tells where they run: the layer thrust does it louder.
+bool shows_paths(const FrameOptions& options);
+
+/// Where there is gravity, arrows of larger accelerations are cut: those of an impact's moment.
+constexpr double most_gravities = 3.0;
+/// What of an acceleration is drawn.
+Vec2 shown_acceleration(const Vec2& acceleration, const Vec2& gravity);
+
 /// px of a 1280x720 picture; a force whose arrow would be shorter is a dot.
-constexpr double shortest_force_arrow = 6.0;
+constexpr double shortest_force_arrow = 8.0;
 
 /// Pixels per pixel of a 1280x720 picture: all weights grow with the picture, so that a poster
 /// looks like a thumbnail, but never below what can be read.

@@ -53,6 +53,7 @@ struct PendingArrow {
   ArrowForm form = ArrowForm::filled;
   bool cut = false;     ///< longer than it is drawn: broken near its tail
   double newton = 0.0;  ///< of a force that may have its number beside it
+  double dot = 0.0;     ///< px, radius of a disc at its tail, where it belongs to a centre
 };
 
 void add_grid(const FrameParts& parts);
@@ -67,8 +68,17 @@ void add_points(const FrameParts& parts);
 void add_links(const FrameParts& parts);
 void add_contacts(const FrameParts& parts);
 void add_normals(const FrameParts& parts);
+/// m, where the arrow of a normal ends.
+Vec2 normal_tip(const FrameParts& parts, const SnapshotContact& contact);
+/// The paper's symbols at contacts, sides and points.
+void add_symbols(const FrameParts& parts);
+/// Whether the contacts are few enough to have symbols; velocities are then those of their points.
+bool shows_symbols(const FrameParts& parts);
 void add_pressure(const FrameParts& parts);
 void add_thrust(const FrameParts& parts);
+constexpr double path_alpha = 0.34;
+/// The same quietly, below the arrows: where forces run.
+void add_paths(const FrameParts& parts);
 void add_chains(const FrameParts& parts);
 void add_impacts(const FrameParts& parts);
 /// Paints all arrows of the layers; labels keep off them from then on.

@@ -1,6 +1,8 @@
 #include "render/picture/hud.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,7 +18,6 @@ constexpr double longest_bar = 0.16;  ///< of the picture's width
 constexpr double longest_arrow = 0.12;
 constexpr double sample_length = 34.0;  ///< px
 constexpr double plate_edge = 7.0;
-constexpr double plate_alpha = 0.94;
 constexpr double text_halo = 2.0;
 
 /// A rectangle without an outline: a stroke as wide as it is high.
@@ -29,19 +30,60 @@ void add_bar(const FrameParts& parts, const Area& area, Color color) {
                               color});
 }
 
+/// The part of an area that lies in a half-plane: a convex polygon (Sutherland and Hodgman 1974).
+std::vector<Vec2> solid_part(const FrameParts& parts,
+                             const SnapshotPlane& plane,
+                             const Area& area) {
+  const std::array<Vec2, 4> corners{Vec2(area.left, area.top), Vec2(area.right, area.top),
+                                    Vec2(area.right, area.bottom), Vec2(area.left, area.bottom)};
+  const auto depth = [&](const Vec2& pixel) {
+    return (plane.point - parts.view.to_world(pixel)).dot(plane.normal);
+  };
+  std::vector<Vec2> part;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2& p = corners.at(i);
+    const Vec2& q = corners.at((i + 1) % corners.size());
+    const double at_p = depth(p);
+    const double at_q = depth(q);
+    if (at_p >= 0.0) part.push_back(p);
+    if ((at_p >= 0.0) != (at_q >= 0.0)) part.push_back(p + at_p / (at_p - at_q) * (q - p));
+  }
+  return part;
+}
+
+/// A polygon of one colour; those along the picture's edges without a seam.
+void add_polygon(const FrameParts& parts, const std::vector<Vec2>& corners, Color color) {
+  if (corners.size() < 3) return;
+  Area around{1e300, 1e300, -1e300, -1e300};
+  for (const Vec2& p : corners)
+    around = {std::min(around.left, p.x()), std::min(around.top, p.y()),
+              std::max(around.right, p.x()), std::max(around.bottom, p.y())};
+  const auto on_edge = [&around](const Vec2& p) {
+    constexpr double hair = 1e-6;  // px
+    return std::min(p.x() - around.left, around.right - p.x()) < hair
+           && std::min(p.y() - around.top, around.bottom - p.y()) < hair;
+  };
+  if (std::ranges::all_of(corners, on_edge)) return add_bar(parts, around, color);
+  const auto pixel = [](const Vec2& p) {
+    return Pixel{static_cast<float>(p.x()), static_cast<float>(p.y())};
+  };
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    parts.list.add(TriangleShape{pixel(corners[0]), pixel(corners[i - 1]), pixel(corners[i]), 0.0F,
+                                 color, color});
+}
+
 }  // namespace
 
 void add_plate(const FrameParts& parts, const Area& area) {
   const double edge = plate_edge * parts.unit;
-  const Area wide{area.left - edge, area.top - edge, area.right + edge, area.bottom + edge};
+  // Whole pixels: what lies on one another has no seams.
+  const Area wide{std::floor(area.left - edge), std::floor(area.top - edge),
+                  std::ceil(area.right + edge), std::ceil(area.bottom + edge)};
   parts.labels.keep_off(wide);
-  const Vec2 middle(0.5 * (wide.left + wide.right), 0.5 * (wide.top + wide.bottom));
-  const bool ground = parts.has(Layer::cubes) && in_ground(parts, parts.view.to_world(middle));
-  const Color below = ground                           ? parts.style.ground
-                      : parts.style.background.a < 255 ? parts.style.halo
-                                                       : parts.style.background;
-  const Color fill = below.a < 255 ? below : with_alpha(below, plate_alpha);
-  add_bar(parts, wide, fill);
+  add_bar(parts, wide, parts.style.background.a < 255 ? parts.style.halo : parts.style.background);
+  if (!parts.has(Layer::cubes)) return;
+  for (const SnapshotPlane& plane : parts.snapshot.planes)
+    add_polygon(parts, solid_part(parts, plane, wide), parts.style.ground);
 }
 
 void HudText::add(std::string text, double x, double y, double size, Color color) {
@@ -55,13 +97,7 @@ void HudText::add(std::string text, double x, double y, double size, Color color
 
 void HudText::paint() {
   if (texts_.empty()) return;
-  Area all = text_area(texts_.front(), parts_.font);
-  for (const TextShape& text : texts_) {
-    const Area area = text_area(text, parts_.font);
-    all = {std::min(all.left, area.left), std::min(all.top, area.top),
-           std::max(all.right, area.right), std::max(all.bottom, area.bottom)};
-  }
-  add_plate(parts_, all);
+  add_plate(parts_, common_area(texts_, parts_.font));
   for (TextShape& text : texts_)
     parts_.list.texts.push_back(std::move(text));
 }
@@ -176,6 +212,17 @@ void LegendRow::dashes(std::string_view meaning, Color color) {
       const float from = left + share * (right - left);
       stroke({from, middle()}, {from + 0.24F * (right - left), middle()}, 2.6, color);
     }
+  });
+}
+
+void LegendRow::comb(std::string_view meaning, Color color) {
+  entry(28.0 * parts_.unit, meaning, [&](float left, float right) {
+    const auto reach = static_cast<float>(5.0 * parts_.unit);
+    for (const float share : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
+      const float x = left + share * (right - left);
+      stroke({x, middle() - reach}, {x, middle() + reach}, 1.0, with_alpha(color, 0.75));
+    }
+    stroke({left, middle() + reach}, {right, middle() + reach}, 1.6, with_alpha(color, 0.75));
   });
 }
 

@@ -11,7 +11,7 @@ namespace wuerfel::internal {
 
 constexpr double hud_margin = 20.0;  ///< px of a 1280x720 picture
 
-/// A plate in the colour of what lies below its middle, on which no label comes to lie.
+/// A plate in the colours of background and ground, on which no label comes to lie.
 void add_plate(const FrameParts& parts, const Area& area);
 
 /// Lines of text on a plate.
@@ -56,6 +56,7 @@ class LegendRow {
   /// A thick stroke: rods in tension or compression.
   void swatch(std::string_view meaning, Color color);
   void dashes(std::string_view meaning, Color color);
+  void comb(std::string_view meaning, Color color);
   void paint_plate() const;
 
  private:

@@ -37,6 +37,16 @@ Area text_area(const TextShape& text, Font& font) {
   return {x, y - 0.76 * size, x + font.width(text.text, size), y + 0.2 * size};
 }
 
+Area common_area(std::span<const TextShape> texts, Font& font) {
+  Area all{1e300, 1e300, -1e300, -1e300};
+  for (const TextShape& text : texts) {
+    const Area area = text_area(text, font);
+    all = {std::min(all.left, area.left), std::min(all.top, area.top),
+           std::max(all.right, area.right), std::max(all.bottom, area.bottom)};
+  }
+  return all;
+}
+
 void Labels::keep_off(Pixel from, Pixel to, double half_width) {
   strokes_.push_back({from, to, half_width});
 }
@@ -55,12 +65,25 @@ bool Labels::is_free(const Area& area) const {
 }
 
 bool Labels::place(TextShape text, std::span<const Pixel> baselines, Font& font, DrawList& list) {
+  text.baseline = {};
+  return place(std::vector<TextShape>{std::move(text)}, baselines, font, list);
+}
+
+bool Labels::place(std::vector<TextShape> texts,
+                   std::span<const Pixel> baselines,
+                   Font& font,
+                   DrawList& list) {
+  const Area own = common_area(texts, font);
   for (const Pixel baseline : baselines) {
-    text.baseline = baseline;
-    const Area area = text_area(text, font);
+    const auto x = static_cast<double>(baseline.x);
+    const auto y = static_cast<double>(baseline.y);
+    const Area area{own.left + x, own.top + y, own.right + x, own.bottom + y};
     if (!is_free(area)) continue;
     keep_off(area);
-    list.texts.push_back(std::move(text));
+    for (TextShape& text : texts) {
+      text.baseline = {text.baseline.x + baseline.x, text.baseline.y + baseline.y};
+      list.texts.push_back(std::move(text));
+    }
     return true;
   }
   ++list.labels_left_out;

@@ -19,6 +19,8 @@ struct Area {
 
 /// What a text covers.
 Area text_area(const TextShape& text, Font& font);
+/// What texts cover together.
+Area common_area(std::span<const TextShape> texts, Font& font);
 
 class Labels {
  public:
@@ -32,6 +34,11 @@ class Labels {
   /// Puts the text at the first of the baselines where it is free, and keeps that place; false where
   /// there is none.
   bool place(TextShape text, std::span<const Pixel> baselines, Font& font, DrawList& list);
+  /// The same of texts that belong together; their own baselines count from the one they get.
+  bool place(std::vector<TextShape> texts,
+             std::span<const Pixel> baselines,
+             Font& font,
+             DrawList& list);
 
  private:
   struct Stroke {

@@ -6,10 +6,10 @@
 namespace wuerfel {
 namespace {
 
-constexpr std::array<std::string_view, 20> layer_names{
+constexpr std::array<std::string_view, 21> layer_names{
     "cubes",    "rods",   "points",  "sides",         "normals",    "forces",     "contact-forces",
     "joints",   "thrust", "weights", "accelerations", "rod-forces", "velocities", "trails",
-    "contacts", "grid",   "names",   "values",        "hud",        "instances"};
+    "contacts", "grid",   "names",   "values",        "symbols",    "hud",        "instances"};
 
 constexpr std::array<std::string_view, 6> legend_names{"contact", "friction", "cut",
                                                        "hidden",  "several",  "impact"};

@@ -27,6 +27,7 @@ enum class Layer {
   grid,            ///< lines at round metres
   names,           ///< names of the bodies
   values,          ///< numbers beside force arrows
+  symbols,         ///< the paper's p_i, p_j, p_k, alpha, n, v_k, A and m where they stand
   hud,             ///< title, time, energy, scale bar, legend
   instances,       ///< nothing else: each body in a colour that is its number
 };

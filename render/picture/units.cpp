@@ -35,9 +35,16 @@ Prefix prefix_of(double size) {
 
 }  // namespace
 
-std::string with_prefix(double value, std::string_view unit, int digits) {
-  const Prefix prefix = prefix_of(std::abs(value));
-  return fmt::format("{:.{}g} {}{}", value / prefix.factor, digits, prefix.name, unit);
+std::string with_prefix(double value, std::string_view unit, int digits, Zeros zeros) {
+  // 999.9 N to three digits is 1 kN.
+  const Prefix prefix = prefix_of(std::abs(value) * (1.0 + 0.5 * std::pow(10.0, -digits)));
+  const double of_prefix = value / prefix.factor;
+  if (zeros == Zeros::dropped || of_prefix == 0.0)
+    return fmt::format("{:.{}g} {}{}", of_prefix, digits, prefix.name, unit);
+  const std::string scientific = fmt::format("{:.{}e}", of_prefix, digits - 1);
+  const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  return fmt::format("{:.{}f} {}{}", of_prefix, std::max(digits - 1 - exponent, 0), prefix.name,
+                     unit);
 }
 
 std::string length_label(double metres) {

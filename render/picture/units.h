@@ -6,9 +6,15 @@
 
 namespace wuerfel::internal {
 
+/// Whether "2.00 kN" is "2 kN".
+enum class Zeros { dropped, kept };
+
 /// "2 kN" for 2000 and "N": to `digits` significant ones, with the prefix from p to P that makes it
 /// easy to read.
-std::string with_prefix(double value, std::string_view unit, int digits = 6);
+std::string with_prefix(double value,
+                        std::string_view unit,
+                        int digits = 6,
+                        Zeros zeros = Zeros::dropped);
 
 /// Centimetres are what people use between a millimetre and a metre.
 std::string length_label(double metres);

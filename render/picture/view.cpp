@@ -25,15 +25,20 @@ bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point) {
   });
 }
 
-/// The places on the ground below the bodies. Ground farther away than the bodies are wide does not
+/// The places on the ground below the bodies, and the room for arrows so long in the ground that
+/// they may touch. Ground farther away than the bodies are wide does not
 /// pull the picture towards it.
-void include_near_ground(const Snapshot& snapshot, Bounds& bounds) {
+void include_near_ground(const Snapshot& snapshot, double depth, Bounds& bounds) {
+  constexpr double touching = 1.001;
   const double reach = 4.0 * std::max(bounds.size().x(), bounds.size().y());
   for (const SnapshotPlane& plane : snapshot.planes) {
     for (const SnapshotBox& box : snapshot.boxes) {
       const double distance = (box.center - plane.point).dot(plane.normal);
       const Vec2 foot = box.center - distance * plane.normal;
-      if (distance < reach && !inside_any(snapshot.planes, foot)) bounds.include(foot);
+      if (distance >= reach || inside_any(snapshot.planes, foot)) continue;
+      bounds.include(foot);
+      const bool may_touch = distance <= touching * 0.5 * box.size.norm();
+      if (may_touch) bounds.include(Vec2(foot - depth * plane.normal));
     }
   }
 }
@@ -59,16 +64,16 @@ void Bounds::include(const Snapshot& snapshot, const ForceScale& force_scale) {
     include(link.a);
     include(link.b);
   }
-  if (!empty()) include_near_ground(snapshot, *this);
-  if (force_scale.metres_per_newton <= 0.0) return;
+  const bool arrows = force_scale.metres_per_newton > 0.0;
+  const double depth = arrows && force_scale.longest < 1e300 ? force_scale.longest : 0.0;
+  if (!empty()) include_near_ground(snapshot, depth, *this);
+  if (!arrows) return;
   for (const SnapshotForce& force : snapshot.forces) {
     const double length = force_scale.metres_per_newton * force.force.norm();
     const double shown = std::min(length, force_scale.longest);
     if (shown > 0.0)
       include(Vec2(force.point + force_scale.metres_per_newton * shown / length * force.force));
   }
-  for (const SnapshotJoint& joint : snapshot.joints)
-    include(joint_arrow(snapshot, joint, force_scale).tail);
 }
 
 View fit_view(const Bounds& bounds, int width, int height, const Insets& insets) {

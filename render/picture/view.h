@@ -17,7 +17,8 @@ struct Bounds {
   void include(const Vec2& point);
   void include(const SnapshotBox& box);
   /// All boxes, the tips of force arrows at this scale (m/N, 0: no arrows) and the ground below or
-  /// beside them where it is near.
+  /// beside them where it is near, with room for the longest arrow of a joint: whatever pushes there,
+  /// the view is the same.
   void include(const Snapshot& snapshot, const ForceScale& force_scale = {});
 };
 

@@ -1,5 +1,6 @@
 #include "render/pipeline/frame_pipeline.h"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -85,6 +86,7 @@ void FramePipeline::draw_frames() {
     if (!known) {
       DrawList list = compose_frame(job->snapshot, job->view, settings_.style, settings_.options,
                                     renderer.font());
+      labels_left_out_ = std::max(labels_left_out_.load(), list.labels_left_out);
       if (!last_revision || list != last) {
         frame.slot = free_slots_.pop();
         if (!frame.slot) return;

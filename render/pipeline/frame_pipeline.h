@@ -69,6 +69,8 @@ class FramePipeline {
   void finish();
   /// Frames that were neither drawn nor compressed again.
   long reused() const { return reused_; }
+  /// The most labels for which a frame had no room.
+  int labels_left_out() const { return labels_left_out_; }
 
  private:
   struct Drawn {
@@ -94,6 +96,7 @@ class FramePipeline {
   internal::BoundedQueue<Drawn> drawn_{slots};
   internal::BoundedQueue<std::size_t> free_slots_{slots};
   std::atomic<long> reused_ = 0;
+  std::atomic<int> labels_left_out_ = 0;
   std::mutex failure_mutex_;
   std::exception_ptr failure_;
   std::array<std::thread, 2> threads_;

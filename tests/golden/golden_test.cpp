@@ -83,6 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
         LayerCase{"rods", {Layer::cubes, Layer::rods}},
         LayerCase{"points", {Layer::cubes, Layer::rods, Layer::points}},
         LayerCase{"sides", {Layer::cubes, Layer::sides, Layer::names}},
+        LayerCase{"symbols", {Layer::cubes, Layer::sides, Layer::symbols}},
         LayerCase{"normals", {Layer::cubes, Layer::contacts, Layer::normals}},
         LayerCase{"forces", {Layer::forces}},
         LayerCase{"contact_forces", {Layer::cubes, Layer::contact_forces, Layer::hud}},

@@ -81,6 +81,51 @@ class Formats(ProgramTest):
             with self.subTest(arguments):
                 self.expect(2, "figure", scene, "-o", "f.png", *arguments)
 
+    def test_words_that_do_not_exist_have_a_suggestion(self):
+        scene = self.scene(STANDING)
+        for option, value, said in (("--layers", "cubes,force", '"forces"'), ("--layers", "symbol", '"symbols"'),
+                                    ("--color", "lod", "load"), ("--legend", "cutt", '"cut"'),
+                                    ("--theme", "drak", '"dark"'), ("--fit", "instnat", "instant"),
+                                    ("--width", "84 mn", "mm"), ("--width", "84", "mm"), ("--scale", "9", "8"),
+                                    ("--size", "1280xaut", "auto")):
+            with self.subTest(value):
+                done = self.expect(2, "figure", scene, "-o", "f.png" if option != "--width" else "f.svg", option, value)
+                self.assertIn(said, done.stderr)
+        self.assertEqual(self.files(), ["scene.json"])
+
+    def test_names_without_room_are_told(self):
+        scene = self.scene({**STANDING, "cube": [{"name": "a" * 60, "size": 0.1, "position": [0, 0.05]}]})
+        for command in (("figure", scene, "-o", "f.png"), ("run", scene, "--until", "0.1", "-o", "f/")):
+            done = self.expect(0, *command, "--layers", "cubes,names", *SMALL)
+            self.assertIn("no room", done.stderr)
+        summary = self.expect(0, "run", scene, "--until", "0.1", "-o", "f/", "--layers", "cubes,names", "--json", *SMALL)
+        self.assertIn("no room", summary.stdout)
+
+    def test_cubes_too_small_to_be_seen_are_told(self):
+        scene = self.scene({"version": 1, "duration": 0, "cube": [{"name": f"c{x}", "position": [x, 0.5]} for x in (0, 2, 9000)]})
+        done = self.expect(0, "figure", scene, "-o", "f.png")
+        view = done.stderr.partition("--view ")[2].split()[0]
+        self.assertLess(float(view.split(",")[2]), 30)
+        self.assertNotIn("--view", self.expect(0, "figure", scene, "-o", "f.png", "--view", view).stderr)
+
+    def test_a_strip_has_one_legend(self):
+        self.expect(0, "figure", self.scene(STANDING), "--strip", "2x1", "-o", "f.svg")
+        with open(self.path("f.svg")) as file:
+            texts = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+        self.assertEqual(sum(text.endswith(" N") for text in texts), 1, texts)
+        self.assertEqual(sum(text.startswith("t = ") for text in texts), 2, texts)
+
+    def test_the_papers_symbols_stand_in_its_figures(self):
+        for scene, layers, symbols in (("fig3_sides", "cubes,sides", "p i p j p k A 1"),
+                                       ("fig5_velocities", "cubes,normals,velocities", "p i p j p k v i v j v k α n"),
+                                       ("fig6_relative_motion", "cubes,normals,velocities", "w i,j w k v k n"),
+                                       ("fig7_masses", "cubes,points", "m/12 2m/3")):
+            with self.subTest(scene):
+                self.expect(0, "figure", scene, "--layers", layers + ",symbols", "-o", "f.svg")
+                with open(self.path("f.svg")) as file:
+                    texts = {text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")}
+                self.assertLessEqual(set(symbols.split()), texts)
+
     def test_letters_that_the_font_does_not_have_are_told(self):
         done = self.expect(0, "figure", self.scene({**STANDING, "title": "立方体"}), "-o", "f.png", *SMALL)
         self.assertIn("U+7ACB", done.stderr)
@@ -89,7 +134,7 @@ class Formats(ProgramTest):
 
     def test_every_layer_option_can_be_made_again(self):
         scene = self.scene(FALLING)
-        layers = "cubes,forces,contact-forces,joints,thrust,weights,accelerations,values,names,hud"
+        layers = "cubes,forces,contact-forces,joints,thrust,weights,accelerations,velocities,values,names,symbols,hud"
         for arguments in (("--layers", layers), ("--explode", "0.4", "--layers", layers), ("--ghosts", "4"),
                           ("--color", "load"), ("--color", "speed"), ("--color", "island"), ("--layers", "instances"),
                           ("--fit", "instant"), ("--average", "0.05"), ("--size", "640xauto")):

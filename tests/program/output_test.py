@@ -127,7 +127,8 @@ class Films(ProgramTest):
         self.assertIn("--size", self.expect(2, "run", self.scene(FLYING), "-o", "f.mp4", "--size", "320xauto").stderr)
 
     def test_odd_sizes_are_padded(self):
-        self.expect(0, "run", self.scene(FLYING), "-o", "f.mp4", "--until", "0.2", "--fps", "10", "--size", "161x91")
+        done = self.expect(0, "run", self.scene(FLYING), "-o", "f.mp4", "--until", "0.2", "--fps", "10", "--size", "161x91")
+        self.assertIn("162x92", done.stderr)
         self.assertEqual((self.probe("f.mp4")["width"], self.probe("f.mp4")["height"]), (162, 92))
 
     def test_frames_and_a_film_come_from_one_run(self):

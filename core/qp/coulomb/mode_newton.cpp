@@ -124,6 +124,7 @@ ModeNewton::Outcome ModeNewton::take_proximal_steps(const ContactForm& form,
     find_missing(form, point);
     if (revise_modes(form, point.l, missing_, noise_share, modes) > 0) return Outcome::moved;
     centre_ = point.l;
+    visited_.clear();
     const double missed = missed_by(form, modes, point);
     if (missed <= effort.goal) {
       step(form, point);  // what compliance has left is rounding then
@@ -135,12 +136,21 @@ ModeNewton::Outcome ModeNewton::take_proximal_steps(const ContactForm& form,
   return Outcome::stuck;
 }
 
+/// Whether Newton's method was at these modes before, since the centre of compliance moved: from there on it would
+/// repeat itself.
+bool ModeNewton::goes_round(const std::vector<ContactMode>& modes) {
+  if (std::ranges::find(visited_, modes) != visited_.end()) return true;
+  visited_.push_back(modes);
+  return false;
+}
+
 ModeNewtonOutcome ModeNewton::run(ContactForm& form,
                                   std::vector<ContactMode>& modes,
                                   ContactPoint& point,
                                   const ModeNewtonEffort& effort) {
   ModeNewtonOutcome outcome;
   delta_ = effort.delta;
+  visited_.clear();
   follow_modes(form, modes, point);
   centre_ = point.l;
   while (outcome.factorisations < effort.most_factorisations) {
@@ -150,6 +160,7 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
     outcome.settled = found == Outcome::settled;
     if (outcome.settled || found == Outcome::stuck) return outcome;
     if (found == Outcome::slow) delta_ = std::max(delta_fall * delta_, effort.least_delta);
+    if (found == Outcome::moved && goes_round(modes)) return outcome;
     follow_modes(form, modes, point);
   }
   return outcome;

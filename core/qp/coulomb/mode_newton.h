@@ -40,13 +40,15 @@ class ModeNewton {
                               std::vector<ContactMode>& modes,
                               ContactPoint& point,
                               const ModeNewtonEffort& effort);
+  bool goes_round(const std::vector<ContactMode>& modes);
   void step(const ContactForm& form, ContactPoint& point);
   void find_missing(const ContactForm& form, const ContactPoint& point);
 
   ModeSystem system_;
   double delta_ = 0.0;
-  std::vector<Pair> centre_;   ///< forces from which compliance counts
-  std::vector<Pair> missing_;  ///< of the rows, compliance included
+  std::vector<Pair> centre_;                       ///< forces from which compliance counts
+  std::vector<std::vector<ContactMode>> visited_;  ///< modes since the centre moved
+  std::vector<Pair> missing_;                      ///< of the rows, compliance included
   std::vector<Quad> unbalance_;
 };
 

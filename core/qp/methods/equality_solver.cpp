@@ -6,9 +6,6 @@
 namespace wuerfel {
 namespace {
 
-/// A pivot below this share of its diagonal belongs to a row that depends on those before it.
-constexpr double dependent_share = 1e-11;
-
 /// Residuals are refined to this share of the bounds and of J f.
 constexpr double refined_share = 4e-16;
 constexpr int most_refinements = 3;
@@ -152,8 +149,10 @@ void EqualitySolver::find_envelope() {
   inverse_.resize(rows);
 }
 
+// Few rows are solved again and again, at every look at a smooth motion: calls count there.
+
 /// J M^-1 J' over the tight rows, in the order of elimination.
-void EqualitySolver::assemble(const QuadraticProgram& p) {
+inline void EqualitySolver::assemble(const QuadraticProgram& p) {
   for (double& f : factor_)
     f = 0.0;
   const auto add_products = [&](int size) {
@@ -221,7 +220,7 @@ void EqualitySolver::factorise_again(const QuadraticProgram& p) {
 }
 
 /// r := S^-1 r over the rows that are kept, 0 on the others.
-void EqualitySolver::substitute(std::vector<double>& r) const {
+inline void EqualitySolver::substitute(std::vector<double>& r) const {
   const int rows = static_cast<int>(r.size());
   for (int i = 0; i < rows; ++i) {
     double sum = r[i];
@@ -238,8 +237,8 @@ void EqualitySolver::substitute(std::vector<double>& r) const {
 }
 
 /// What the rows miss at x, into `residual_`.
-EqualitySolver::Missed EqualitySolver::find_residual(const QuadraticProgram& p,
-                                                     const std::vector<double>& x) {
+inline EqualitySolver::Missed EqualitySolver::find_residual(const QuadraticProgram& p,
+                                                            const std::vector<double>& x) {
   Missed missed;
   double* rest = residual_.data();
   const double* inverse = inverse_.data();
@@ -252,6 +251,28 @@ EqualitySolver::Missed EqualitySolver::find_residual(const QuadraticProgram& p,
     ++rest;
   }
   return missed;
+}
+
+/// Moves x = f + M^-1 J' lambda onto the rows, and lambda along.
+void EqualitySolver::move_onto_rows(const QuadraticProgram& p,
+                                    std::vector<double>& x,
+                                    std::vector<double>& multiplier) {
+  residual_.resize(order_.size());
+  double scale = 0.0;
+  for (int round = 0; round <= most_refinements; ++round) {
+    const Missed missed = find_residual(p, x);
+    if (round == 0) scale = missed.scale;
+    if (missed.worst <= refined_share * scale) return;
+    substitute(residual_);
+    const double* change = residual_.data();
+    for (const int row : order_) {
+      if (*change != 0.0) {
+        multiplier[row] += *change;
+        add_push(p, row, *change, x.data());
+      }
+      ++change;
+    }
+  }
 }
 
 void EqualitySolver::solve(const QuadraticProgram& p,
@@ -269,26 +290,6 @@ void EqualitySolver::refine(const QuadraticProgram& p,
   for (const int row : order_)
     if (multiplier[row] != 0.0) add_push(p, row, multiplier[row], x.data());
   move_onto_rows(p, x, multiplier);
-}
-
-/// Moves x = f + M^-1 J' lambda onto the rows, and lambda along.
-void EqualitySolver::move_onto_rows(const QuadraticProgram& p,
-                                    std::vector<double>& x,
-                                    std::vector<double>& multiplier) {
-  residual_.resize(order_.size());
-  double scale = 0.0;
-  for (int round = 0; round <= most_refinements; ++round) {
-    const Missed missed = find_residual(p, x);
-    if (round == 0) scale = missed.scale;
-    if (missed.worst <= refined_share * scale) return;
-    substitute(residual_);
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      const double change = residual_[i];
-      if (change == 0.0) continue;
-      multiplier[order_[i]] += change;
-      add_push(p, order_[i], change, x.data());
-    }
-  }
 }
 
 }  // namespace wuerfel

@@ -9,6 +9,9 @@
 
 namespace wuerfel {
 
+/// A pivot below this share of its diagonal, or of the largest, belongs to a row that depends on others.
+inline constexpr double dependent_share = 1e-11;
+
 /// Solves J M^-1 J' lambda = b - J f by a Cholesky factorisation within the envelope of the matrix
 /// [George, Liu 1981]. A row
 /// that depends on the rows before it is left out: its multiplier stays, and it holds by itself

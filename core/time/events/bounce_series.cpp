@@ -28,9 +28,7 @@ void BounceSeries::Series::add(double t) {
 
 bool BounceSeries::Series::converges() const { return agreeing >= enough_ratios; }
 
-void BounceSeries::note(std::vector<Event>& events,
-                        const std::vector<NamePair>& closed,
-                        double most) {
+void BounceSeries::note(std::vector<Event>& events, const Stays& stays, double most) {
   bool any = false;
   goes_on_ = true;
   for (const Event& e : events) {
@@ -41,24 +39,24 @@ void BounceSeries::note(std::vector<Event>& events,
     goes_on_ = goes_on_ && series->second.converges();
   }
   goes_on_ = goes_on_ && any;
-  if (any) date_ends(events, closed, most);
+  if (any) date_ends(events, stays, most);
 }
 
-void BounceSeries::date_ends(std::vector<Event>& events,
-                             const std::vector<NamePair>& closed,
-                             double most) {
+void BounceSeries::date_ends(std::vector<Event>& events, const Stays& stays, double most) {
   std::vector<Event> touches;
   std::map<NamePair, double> ends;
   for (Event e : events) {
+    if (e.kind != EventKind::impact) continue;
     const Series& series = of_pair_[pair_of(e)];
-    if (e.kind != EventKind::impact || !series.converges() || series.rest_of_it() > most) continue;
+    if (!series.converges() || series.rest_of_it() > most) continue;
     if (!ends.try_emplace(pair_of(e), series.rest_of_it()).second) continue;
-    if (!std::ranges::binary_search(closed, pair_of(e))) continue;
+    if (!stays(pair_of(e))) continue;
     e.t += series.rest_of_it();
     e.kind = EventKind::touch;
     e.impulse = 0.0;
     touches.push_back(std::move(e));
   }
+  if (ends.empty()) return;
   for (Event& e : events) {
     const auto end = ends.find(pair_of(e));
     if (e.kind == EventKind::rest && end != ends.end()) e.t += end->second;

@@ -2,6 +2,7 @@
 /// fall like a geometric series, whose sum says when [Brogliato 1999, ch. 5].
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,11 +16,12 @@ namespace wuerfel {
 class BounceSeries {
  public:
   using NamePair = std::pair<std::string, std::string>;
+  using Stays = std::function<bool(const NamePair&)>;
 
   /// Takes note of the impacts of an instant. A rest that ends a series, short of its last bounces,
   /// is dated when these would be over, if that is within `most` s; pairs that stay in touch and
-  /// move on, `closed` (names in order), get the event `touch` at that time.
-  void note(std::vector<Event>& events, const std::vector<NamePair>& closed, double most);
+  /// move on, which `stays` knows (names in order), get the event `touch` at that time.
+  void note(std::vector<Event>& events, const Stays& stays, double most);
   /// Whether the impacts of the last instant went on with their series.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
@@ -33,7 +35,7 @@ class BounceSeries {
     [[nodiscard]] bool converges() const;
     [[nodiscard]] double rest_of_it() const { return interval * ratio / (1.0 - ratio); }
   };
-  void date_ends(std::vector<Event>& events, const std::vector<NamePair>& closed, double most);
+  void date_ends(std::vector<Event>& events, const Stays& stays, double most);
 
   std::map<NamePair, Series> of_pair_;
   bool goes_on_ = false;

@@ -1,9 +1,10 @@
 #include "core/time/events/contact_changes.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace wuerfel {
 namespace {
@@ -11,18 +12,20 @@ namespace {
 /// A corner this near to an end of its side, as a share of the side, is at the end.
 constexpr double at_end_share = 1e-9;
 
-using Counts = std::map<IndexPair, int>;
+/// Pairs, each as often as it has contacts, in order.
+using Counts = std::vector<IndexPair>;
 
 Counts contacts_of_pairs(const std::vector<Touch>& touches) {
   Counts counts;
+  counts.reserve(2 * touches.size());
   for (const Touch& touch : touches)
-    counts[touch.pair()] += touch.count;
+    counts.insert(counts.end(), touch.count, touch.pair());
+  std::ranges::sort(counts);
   return counts;
 }
 
-int count_of(const Counts& counts, const IndexPair& pair) {
-  const auto found = counts.find(pair);
-  return found == counts.end() ? 0 : found->second;
+std::ptrdiff_t count_of(const Counts& counts, const IndexPair& pair) {
+  return std::ranges::ssize(std::ranges::equal_range(counts, pair));
 }
 
 /// The touch of the same pair among others.
@@ -33,14 +36,77 @@ const Touch* same_touch(const std::vector<Touch>& touches, const Touch& touch) {
 
 using NamePair = std::pair<std::string, std::string>;
 
-NamePair names(const std::string& a, const std::string& b) { return std::minmax(a, b); }
-
-std::set<NamePair> named_pairs(const std::vector<Event>& events) {
-  std::set<NamePair> pairs;
+std::vector<NamePair> named_pairs(const std::vector<Event>& events) {
+  std::vector<NamePair> pairs;
+  pairs.reserve(events.size());
   for (const Event& e : events)
-    pairs.insert(names(e.on, e.from));
+    pairs.emplace_back(std::minmax(e.on, e.from));
+  std::ranges::sort(pairs);
   return pairs;
 }
+
+/// Who touched, and who touches.
+class Changes {
+ public:
+  Changes(const System& system,
+          const ContactModes& before,
+          const ContactModes& after,
+          const std::vector<Event>& events)
+      : system_(system),
+        before_(before),
+        after_(after),
+        closed_before_(contacts_of_pairs(before.closed.touches)),
+        closed_after_(contacts_of_pairs(after.closed.touches)),
+        touching_before_(contacts_of_pairs(before.touching)),
+        touching_after_(contacts_of_pairs(after.touching)),
+        named_(named_pairs(events)) {}
+
+  /// What became of a touch that was closed.
+  [[nodiscard]] std::optional<EventKind> end_of(const Touch& touch) const {
+    const IndexPair pair = touch.pair();
+    const auto had = count_of(closed_before_, pair);
+    if (count_of(closed_after_, pair) >= had || is_named(pair)) return {};
+    if (rests(pair.first) && rests(pair.second)) return {};
+    const double alpha = before_.closed.contacts[touch.first].alpha;
+    const bool off = alpha <= at_end_share || alpha >= 1.0 - at_end_share;
+    return off && had == 1 ? EventKind::slide_off : EventKind::release;
+  }
+  /// Whether a touch that is closed has just come.
+  [[nodiscard]] bool is_new(const Touch& touch) const {
+    const IndexPair pair = touch.pair();
+    return count_of(closed_after_, pair) > count_of(closed_before_, pair)
+           && count_of(touching_after_, pair) > count_of(touching_before_, pair) && !is_named(pair);
+  }
+  /// Whether one that was closed and is has begun to stick or to slip.
+  [[nodiscard]] std::optional<EventKind> rubs_anew(const Touch& touch) const {
+    if (touch.surface.friction <= 0.0) return {};
+    const Touch* former = same_touch(before_.closed.touches, touch);
+    if (former == nullptr || is_named(touch.pair())) return {};
+    if (touch.sticks && !former->sticks) return EventKind::stick;
+    if (touch.slips != 0 && touch.slips != former->slips) return EventKind::slip;
+    return {};
+  }
+
+ private:
+  [[nodiscard]] bool rests(int body) const {
+    return !system_.is_cube(body) || after_.resting[body] != 0;
+  }
+  [[nodiscard]] bool is_named(const IndexPair& pair) const {
+    if (named_.empty()) return false;
+    const auto& [a, b] = pair;
+    return std::ranges::binary_search(
+        named_, NamePair(std::minmax(system_.body(a).name, system_.body(b).name)));
+  }
+
+  const System& system_;
+  const ContactModes& before_;
+  const ContactModes& after_;
+  Counts closed_before_;
+  Counts closed_after_;
+  Counts touching_before_;
+  Counts touching_after_;
+  std::vector<NamePair> named_;
+};
 
 }  // namespace
 
@@ -49,38 +115,17 @@ void add_contact_changes(const System& system,
                          const ContactModes& after,
                          double t,
                          std::vector<Event>& events) {
-  const Counts closed_before = contacts_of_pairs(before.closed.touches);
-  const Counts closed_after = contacts_of_pairs(after.closed.touches);
-  const Counts touching_before = contacts_of_pairs(before.touching);
-  const Counts touching_after = contacts_of_pairs(after.touching);
-  const std::set<NamePair> named = named_pairs(events);
-  const auto rests = [&](int body) { return !system.is_cube(body) || after.resting[body] != 0; };
-  const auto add = [&](const Contact& c, EventKind kind) {
-    events.push_back({t, kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0});
+  const Changes changes(system, before, after, events);
+  const auto add = [&](const Contact& c, std::optional<EventKind> kind) {
+    if (!kind) return;
+    events.push_back({t, *kind, system.body(c.on).name, system.body(c.from).name, c.point, 0.0});
   };
-  const auto is_named = [&](const IndexPair& pair) {
-    return named.contains(names(system.body(pair.first).name, system.body(pair.second).name));
-  };
-  for (const Touch& touch : before.closed.touches) {
-    const IndexPair pair = touch.pair();
-    const int had = count_of(closed_before, pair);
-    if ((rests(pair.first) && rests(pair.second)) || is_named(pair)) continue;
-    if (count_of(closed_after, pair) >= had) continue;
-    const Contact& c = before.closed.contacts[touch.first];
-    const bool off = c.alpha <= at_end_share || c.alpha >= 1.0 - at_end_share;
-    add(c, off && had == 1 ? EventKind::slide_off : EventKind::release);
-  }
+  for (const Touch& touch : before.closed.touches)
+    add(before.closed.contacts[touch.first], changes.end_of(touch));
   for (const Touch& touch : after.closed.touches) {
-    const IndexPair pair = touch.pair();
     const Contact& c = after.closed.contacts[touch.first];
-    const Touch* former = same_touch(before.closed.touches, touch);
-    if (former != nullptr && !is_named(pair) && touch.surface.friction > 0.0) {
-      if (touch.sticks && !former->sticks) add(c, EventKind::stick);
-      if (touch.slips != 0 && touch.slips != former->slips) add(c, EventKind::slip);
-    }
-    if (count_of(closed_after, pair) <= count_of(closed_before, pair) || is_named(pair)) continue;
-    if (count_of(touching_after, pair) <= count_of(touching_before, pair)) continue;
-    add(c, EventKind::touch);
+    add(c, changes.rubs_anew(touch));
+    if (changes.is_new(touch)) add(c, EventKind::touch);
   }
 }
 

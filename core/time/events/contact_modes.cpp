@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/instant_friction.h"
+
 namespace wuerfel {
 namespace {
 
@@ -25,7 +27,7 @@ IslandSolution accelerations(const Island& island,
                              Workspace& work) {
   IslandSolution solution =
       rubs(*work.system, island) ? work.friction.accelerations(
-          state, island, use, directions_of_slip(*work.system, state, island))
+          state, island, use, known_slips(*work.system, state, island, rate_tolerance))
                                  : work.dynamics.accelerations(state, island, use);
   // Accelerations that cannot be found exactly are those of cubes that are all but wedged: the group is stepped,
   // for positions know what happens next.
@@ -138,7 +140,7 @@ std::vector<SideMode> find_sides(const System& system,
                                  const Island& island,
                                  const IslandSolution& solution,
                                  double limit) {
-  const std::vector<int> known = directions_of_slip(system, state, island);
+  const std::vector<int> known = known_slips(system, state, island, rate_tolerance);
   std::vector<SideMode> sides;
   for (const Touch& touch : island.touches) {
     SideMode mode{false, known[touch.first]};
@@ -153,19 +155,6 @@ std::vector<SideMode> find_sides(const System& system,
 }
 
 }  // namespace
-
-std::vector<int> directions_of_slip(const System& system,
-                                    const State& state,
-                                    const Island& island) {
-  std::vector<int> directions;
-  for (const Contact& c : island.contacts) {
-    const bool rub = system.surface(c.on, c.from).friction > 0.0;
-    const double rate = rub ? slip_rate(system, state, c) : 0.0;
-    const bool slips = std::abs(rate) > zero_rate(system, c, contact_velocity(system, state, c));
-    directions.push_back(!slips ? 0 : rate > 0.0 ? 1 : -1);
-  }
-  return directions;
-}
 
 IslandModes find_modes(const Island& island,
                        const State& state,

@@ -47,10 +47,6 @@ IslandModes find_modes(const Island& island,
                        bool after_impact,
                        Workspace& work);
 
-/// Direction of slip of every contact of an island that rubs: +1, -1, or 0 where it does not slip
-/// but for rounding, or does not rub.
-std::vector<int> directions_of_slip(const System& system, const State& state, const Island& island);
-
 /// Whether an island whose cubes are as slow as `limits` say rests: standing still it stays.
 bool rests(const Island& island,
            const State& state,

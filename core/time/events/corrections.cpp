@@ -15,6 +15,7 @@ std::vector<Contact> new_overlaps(const State& state,
                                   double touching,
                                   Workspace& work) {
   std::vector<ContactId> ids;
+  ids.reserve(known.size());
   for (const Contact& c : known)
     ids.push_back(c.id());
   std::ranges::sort(ids);
@@ -78,6 +79,7 @@ void onto_closed(const Island& island,
   for (const char c : closed)
     part.use.push_back(c != 0 ? SideUse::equality : SideUse::inequality);
   const ProjectionPolicy policy{.gap = rounding_share, .contradiction = Contradiction::leave};
+  if (!misses(*work.system, state, part, policy) && rests(*work.system, state, part)) return;
   const auto find = [&](const Projection&) { return std::vector<Restricted>{part}; };
   Projection placed = project_places(*work.system, std::move(state), policy, find, work.dynamics);
   if (placed.moved) follow(*work.system, placed.state, part.island);

@@ -228,12 +228,12 @@ const std::vector<double>& Dop853::stage_state(int i, const std::vector<double>&
   return y_;
 }
 
-std::array<double, Dop853::stages> Dop853::stage_weights() {
+constinit const std::array<double, Dop853::stages> Dop853::stage_weights = [] {
   std::array<double, stages> all{};
   for (const Term& term : weights)
     all[term.stage] = term.factor;
   return all;
-}
+}();
 
 void Dop853::end(const std::vector<double>& y) { combine(weights, k_, y, h_, next_); }
 

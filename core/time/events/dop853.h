@@ -69,7 +69,7 @@ class Dop853 {
     interpolate(y, result);
   }
   /// The weights of the stages in `next()`.
-  static std::array<double, stages> stage_weights();
+  static const std::array<double, stages> stage_weights;
   /// Rates at the stages of the last step, in the order of the method.
   [[nodiscard]] const std::vector<double>& stage(int i) const { return k_[i]; }
 

@@ -59,15 +59,15 @@ MovingBox fixed_body(const Body& body) {
 }
 
 Jet corner_at_side(
-    const MovingBox& b, int corner, const MovingBox& a, int side, EventFunction::Kind kind) {
-  const RelativeMotion k = motion_of_corner(b, corner, a);
-  const Vec2 n = a.box.normal(side);
-  const double alpha = a.acceleration.angular;
+    const MovingBox& on, int corner, const MovingBox& from, int side, EventFunction::Kind kind) {
+  const RelativeMotion k = motion_of_corner(on, corner, from);
+  const Vec2 n = from.box.normal(side);
+  const double alpha = from.acceleration.angular;
   if (kind == EventFunction::Kind::gap || kind == EventFunction::Kind::separation)
-    return side_gap_jet(n, a.box.reach(side), a.spin, alpha, k);
+    return side_gap_jet(n, from.box.reach(side), from.spin, alpha, k);
   // From p_i to p_j: the normal is perp(p_j - p_i). The ends are half a length from the middle.
   const Vec2 inwards = kind == EventFunction::Kind::to_start ? Vec2(-perp(n)) : perp(n);
-  return side_gap_jet(inwards, -0.5 * a.box.length(side), a.spin, alpha, k);
+  return side_gap_jet(inwards, -0.5 * from.box.length(side), from.spin, alpha, k);
 }
 
 PairSide separating_side(const MovingPair& pair) {

@@ -43,21 +43,24 @@ void note_friction(
   for (int k = 1; k <= friction_parts; ++k) {
     const double share = static_cast<double>(k) / friction_parts;
     const double since = t + step.elapsed * (k - 1) / friction_parts;
+    look_at(step.motion, (k - 0.5) / friction_parts * step.elapsed / step.length, state);
+    const double middle = energy(system, state);
     if (k < friction_parts) look_at(step.motion, share * step.elapsed / step.length, state);
     const double after = energy(system, k < friction_parts ? state : step.end);
-    book.losses.push_back({t + share * step.elapsed, before - after, true, since});
+    book.losses.push_back(
+        {t + share * step.elapsed, before - after, true, since, 0.5 * (before + after) - middle});
     before = after;
   }
 }
 
-/// Names of the pairs that stay in touch, in order.
-std::vector<BounceSeries::NamePair> closed_pairs(const System& system,
-                                                 const std::vector<Touch>& touches) {
-  std::vector<BounceSeries::NamePair> pairs;
-  for (const Touch& touch : touches)
-    pairs.emplace_back(std::minmax(system.body(touch.on).name, system.body(touch.from).name));
-  std::ranges::sort(pairs);
-  return pairs;
+/// Whether a pair, by its names in order, is among those that touch.
+bool touch_each_other(const System& system,
+                      const std::vector<Touch>& touches,
+                      const BounceSeries::NamePair& names) {
+  return std::ranges::any_of(touches, [&](const Touch& t) {
+    return names
+           == BounceSeries::NamePair(std::minmax(system.body(t.on).name, system.body(t.from).name));
+  });
 }
 
 void note_instant(const Instant& now, Bookkeeping& book) {
@@ -136,13 +139,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   if (forced) phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
   if (event) reach(*event);
   note_step(step, forced, book);
-  const Push change =
-      unexplained(*system_, state(), step.end, step.elapsed, step.push, modes_.resting);
-  Push put;
-  if (!step.flown.empty() && touches_fixed(*system_, modes_.closed.contacts))
-    put = unexplained(*system_, step.flown, step.end, 0.0, {}, modes_.resting);
-  book.settled += put;
-  book.unexplained += change + -1.0 * put;
+  note_momenta(step, book);
   note_rods(*system_, step.end, book);
   pieces.push_back(last_piece());
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
@@ -160,6 +157,15 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   }
 }
 
+/// Books what the momenta changed by in a step, and what putting its end on fixed bodies did.
+void EventMotion::note_momenta(const SmoothStep& step, Bookkeeping& book) const {
+  const State& flown = step.flown.empty() ? step.end : step.flown;
+  book.unexplained +=
+      unexplained(*system_, state(), flown, step.elapsed, step.push, modes_.resting);
+  if (!step.flown.empty())
+    book.settled += unexplained(*system_, step.flown, step.end, 0.0, {}, modes_.resting);
+}
+
 /// What the state at the clock brings, and the phase that follows.
 void EventMotion::begin_phase(const State& state,
                               const FormerPhase& before,
@@ -167,14 +173,16 @@ void EventMotion::begin_phase(const State& state,
                               Bookkeeping& book) {
   const double energy_before = energy(*system_, state);
   Instant now = happen(state, clock_, before, limits, work_);
-  series_.note(now.events, closed_pairs(*system_, now.modes.closed.touches),
-               longest_tail * scales_of(*system_, state).time);
+  const auto stays = [&](const BounceSeries::NamePair& names) {
+    return touch_each_other(*system_, now.modes.closed.touches, names);
+  };
+  series_.note(now.events, stays, longest_tail * scales_of(*system_, state).time);
   note_instant(now, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
   // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
-  if (touches_fixed(*system_, modes_.closed.contacts))
+  if (phase_.equations().on_fixed())
     now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
   book.settled += now.settled;
   book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);

@@ -49,6 +49,7 @@ class EventMotion {
                    const FormerPhase& before,
                    const ContactLimits& limits,
                    Bookkeeping& book);
+  void note_momenta(const SmoothStep& step, Bookkeeping& book) const;
   std::optional<FirstEvent> first_event(const SmoothStep& step, Bookkeeping& book);
   void reach(const FirstEvent& event);
   [[nodiscard]] Jet value_at_end(const FirstEvent& event);

@@ -120,11 +120,17 @@ void stop(const System& system, const Island& island, double t, bool is_event, I
   settle(system, island, before, now);
 }
 
-/// Puts the closed contacts of an island into the modes.
-void close(const Island& island, const IslandModes& modes, Instant& now, Workspace& work) {
+/// Puts the closed contacts of an island into the modes. `boxes`: all, of other islands anywhere.
+void close(const Island& island,
+           const IslandModes& modes,
+           std::vector<Box>& boxes,
+           Instant& now,
+           const Workspace& work) {
   now.modes.wedged = now.modes.wedged || modes.wedged;
-  std::vector<Box> boxes;
-  pose_boxes(*work.system, now.state, boxes);
+  for (const int cube : island.cubes) {
+    const BodyState& s = now.state[cube];
+    boxes[cube] = make_box(s.position, s.angle, work.system->body(cube).size);
+  }
   ContactSet& closed = now.modes.closed;
   for (std::size_t k = 0; k < island.touches.size(); ++k) {
     const std::size_t before = closed.touches.size();
@@ -148,6 +154,7 @@ void happen_to(const Island& island,
                double t,
                const ContactLimits& limits,
                const Scales& scales,
+               std::vector<Box>& boxes,
                Instant& now,
                Workspace& work) {
   const System& system = *work.system;
@@ -184,7 +191,7 @@ void happen_to(const Island& island,
     if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
       stop(system, island, t, !rested && t > 0.0, now);
     } else {
-      close(island, modes, now, work);
+      close(island, modes, boxes, now, work);
     }
   }
 }
@@ -207,6 +214,7 @@ Instant happen(const State& state,
   find_touching(state, limits.touching, work, contacts, islands);
   now.deepest = work.finder.deepest();
   separate(limits.touching, contacts, islands, now, work);
+  std::vector<Box> boxes(work.finder.boxes().begin(), work.finder.boxes().end());
   std::vector<char> touched(state.size(), 0);
   for (const Island& island : islands) {
     now.modes.touching.insert(now.modes.touching.end(), island.touches.begin(),
@@ -216,7 +224,7 @@ Instant happen(const State& state,
     if (all_rest(island, now.modes.resting)) {
       ++now.skipped_rest;
     } else {
-      happen_to(island, t, limits, scales, now, work);
+      happen_to(island, t, limits, scales, boxes, now, work);
     }
   }
   // A cube that touches nothing any more does not rest but where nothing pulls at it.

@@ -116,7 +116,6 @@ void SmoothPhase::begin(const State& state,
 void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& rate) {
   equations_(y, rate);
   equations_.find_loads(seen_);
-  pushes_.push_back(equations_.pushed());
   step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
                                          -std::numeric_limits<double>::infinity()});
   for (std::size_t k = 0; k < seen_.size(); ++k) {
@@ -127,12 +126,14 @@ void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& ra
 
 /// The method's step, and what fixed bodies did in it.
 void SmoothPhase::take_step(double length) {
-  pushes_.assign(1, push_);
-  method_.step([this](const auto& y, auto& rate) { evaluate(y, rate); }, y_, rate_, length);
-  const auto weights = Dop853::stage_weights();
-  step_.push = {};
-  for (int i = 0; i < Dop853::stages; ++i)
-    step_.push += length * weights[i] * pushes_[i];
+  step_.push = length * Dop853::stage_weights[0] * push_;
+  int stage = 0;
+  const auto field = [&](const auto& y, auto& rate) {
+    evaluate(y, rate);
+    const double weight = Dop853::stage_weights[++stage];
+    if (weight != 0.0) step_.push += length * weight * equations_.pushed();
+  };
+  method_.step(field, y_, rate_, length);
 }
 
 const SmoothStep& SmoothPhase::step(double most) {
@@ -192,12 +193,12 @@ void SmoothPhase::complete(double length) {
   const auto field = [this](const auto& y, auto& rate) { evaluate(y, rate); };
   step_.end = start_;
   unpack(method_.next(), step_.end);
-  step_.flown = step_.end;
+  if (equations_.on_fixed()) step_.flown = step_.end;
   equations_.project(step_.end);
   pack(step_.end, step_.y);
   evaluate(step_.y, step_.rate);
-  end_push_ = pushes_.back();
-  equations_.find_loads(step_.loads);
+  end_push_ = equations_.pushed();
+  step_.loads = seen_;
   method_.dense(field, y_, step_.rate, step_.motion);
   step_.range.resize(start_.size());
   for (int i = 0; i < static_cast<int>(start_.size()); ++i) {
@@ -225,8 +226,8 @@ void SmoothPhase::cut(double length) {
   equations_(step_.y, step_.rate);
 }
 
-State SmoothPhase::shifted_end(double time) const {
-  State state = step_.end;
+/// A state of the end a moment later.
+State SmoothPhase::shifted(State state, double time) const {
   for (int i = 0; i < static_cast<int>(state.size()); ++i) {
     BodyState& s = state[i];
     const Twist a = acceleration_of(step_.rate, i);
@@ -240,6 +241,7 @@ State SmoothPhase::shifted_end(double time) const {
 
 void SmoothPhase::shift_end(double time) {
   step_.end = shifted_end(time);
+  step_.flown = shifted(std::move(step_.flown), time);
   step_.elapsed += time;
   step_.push += time * end_push_;
 }

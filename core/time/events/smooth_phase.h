@@ -32,7 +32,7 @@ struct SmoothStep {
   std::vector<double> rate;           ///< and its rate
   std::vector<double> loads;          ///< N, there
   Push push;                          ///< by fixed bodies, in the step
-  State flown;  ///< its end before it was put on the contacts; empty: it was not
+  State flown;  ///< its end before it was put on contacts with fixed bodies; empty: it was not
   /// Whether the error is small enough; else the contacts' rows nearly depend on one another, and
   /// accelerations are no smooth function any more.
   bool followed = true;
@@ -53,6 +53,8 @@ class EquationsOfMotion {
   void find_loads(std::vector<double>& loads) const;
   /// What fixed bodies do to the moving cubes at the state of the last call, N and N m.
   [[nodiscard]] Push pushed() const { return contacts_.pushed(state_); }
+  /// Whether a closed contact is with a fixed body.
+  [[nodiscard]] bool on_fixed() const { return contacts_.on_fixed(); }
   [[nodiscard]] int first_slip(const std::vector<double>& loads) const;
   /// Whether some touch slips, so that friction takes energy.
   [[nodiscard]] bool slips() const { return slips_ > 0; }
@@ -103,7 +105,7 @@ class SmoothPhase {
   /// Moves the end of the step by a moment in which accelerations change by no more than rounding.
   void shift_end(double time);
   /// The end of the step as `shift_end` would move it.
-  [[nodiscard]] State shifted_end(double time) const;
+  [[nodiscard]] State shifted_end(double time) const { return shifted(step_.end, time); }
   /// The step is over: the next one begins where it ended.
   void go_on();
 
@@ -120,6 +122,7 @@ class SmoothPhase {
   void fall(double most);
   void integrate(double most);
   void complete(double length);
+  [[nodiscard]] State shifted(State state, double time) const;
 
   const System* system_;
   EquationsOfMotion equations_;
@@ -133,7 +136,6 @@ class SmoothPhase {
   std::vector<double> seen_;  ///< scratch of `evaluate`
   Push push_;                 ///< by fixed bodies at the beginning of the next step, N and N m
   Push end_push_;             ///< and at its end
-  std::vector<Push> pushes_;  ///< at the evaluations since the beginning of the last step
   SmoothStep step_;
   double proposed_ = 0.0;  ///< s, length of the next step
   bool parabolas_ = true;

@@ -41,7 +41,7 @@ bool StepView::is_still(int body) const {
 MovingBox StepView::body_at(int body, double share) const {
   const Body& b = system_->body(body);
   if (!system_->is_cube(body)) return fixed_body(b);
-  const int at = components * body;
+  const std::size_t at = components * body;
   const auto value = [&](int k) { return motion_->component(share, at + k); };
   const auto rate = [&](int k) { return motion_->slope(share, at + k) / length_; };
   return {make_box({value(0), value(1)}, value(2), b.size),

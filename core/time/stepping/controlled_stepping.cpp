@@ -12,6 +12,8 @@ namespace {
 /// group has in motion, or where overlap is left, but not below a sixteenth; what still overlaps
 /// then stops short.
 constexpr double rise_share = 1e-4;
+/// What of that nothing can pay for is to be no more than this share of it.
+constexpr double unpaid_share = 1e-4;
 constexpr double shortest_share = 1.0 / 16.0;
 /// They are doubled where error and rise are below these shares of what is allowed.
 constexpr double doubled_error = 0.1;
@@ -43,7 +45,7 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   Step step = take_step(t, h);
   if (whole == step_) {
     const bool easy = h == wanted && step.error <= doubled_error * allowed_error_
-                      && step.rise <= doubled_rise * bearable_rise();
+                      && step.rise.whole <= doubled_rise * bearable_rise();
     step_ = std::clamp(easy ? 2.0 * h : h, shortest_share * longest_, longest_);
   }
   add(step.book, book);
@@ -66,7 +68,8 @@ Step ControlledStepping::take_step(double t, double& h) {
     Step step = stepper_.step(state_, t, h);
     step.book.cost = sum_of(step.book.cost, tried);
     const bool clean = step.overlap <= overlap_share;
-    const bool exact = step.error <= allowed_error_ && step.rise <= bearable_rise();
+    const bool exact = step.error <= allowed_error_ && step.rise.whole <= bearable_rise()
+                       && step.rise.unpaid <= unpaid_share * bearable_rise();
     if (clean && (exact || h <= shortest)) return step;
     if (h <= shortest) {
       step = stepper_.stop_short(std::move(step), t);

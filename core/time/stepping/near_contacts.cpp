@@ -41,19 +41,11 @@ void NearContacts::find(const State& end,
                         std::vector<Contact>& contacts) {
   pose_boxes(*system_, end, end_);
   contacts.clear();
-  bounds_.clear();
-  for (int i = 0; i < system_->count() && system_->body(i).kind != BodyKind::plane; ++i) {
-    const double margin = reach * system_->body(i).smaller_side();
-    const auto extent = [&](const Box& box) { return Vec2(box.extent() + Vec2::Constant(margin)); };
-    const Box& a = start_[i];
-    const Box& b = end_[i];
-    bounds_.push_back({(a.center - extent(a)).cwiseMin(b.center - extent(b)),
-                       (a.center + extent(a)).cwiseMax(b.center + extent(b))});
-  }
+  const auto bounds_of = [&](int i) {
+    return swept_bounds(start_[i], end_[i], reach * system_->body(i).smaller_side());
+  };
   const double fall = gravity_ * step_ * step_;
-  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    const auto [i, j] = pair;
-    if (!system_->is_cube(i) || !system_->may_touch(i, j)) continue;
+  for (const auto& [i, j] : neighbours_.find(*system_, bounds_of)) {
     const double scale = std::min(system_->body(i).smaller_side(), system_->body(j).smaller_side());
     const FacingSide side =
         separating_side(*system_, {start_, drift_, end_}, slow_share * fall, i, j);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/constraints/manifold.h"
+#include "core/constraints/neighbours.h"
 
 namespace wuerfel {
 
@@ -46,8 +47,7 @@ class NearContacts {
   std::vector<Box> start_;
   std::vector<Box> drift_;  ///< where velocities alone would lead
   std::vector<Box> end_;
-  std::vector<BoundingBox> bounds_;
-  BroadPhase broad_phase_;
+  Neighbours neighbours_;
 };
 
 }  // namespace wuerfel

@@ -19,7 +19,6 @@ namespace {
 // Shares of the smaller side of a pair.
 constexpr double pressed_share =
     1e-3;  ///< contacts that were pressed take part in the velocity program up to here
-constexpr double bent_share = 1e-11;  ///< what sides may miss after the first placement
 constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
@@ -72,6 +71,8 @@ Step RattleStepper::step(const State& state, double t, double h) {
   flown_ = step.state;
   cleaned_ = removal_.clean_up(step.state, step.book);
   add_blows(cleaned_);
+  for (const Contact& c : cleaned_)
+    stride_.blows.at(c.id()).cleaned = true;
   arrive(step, t);
   return step;
 }
@@ -80,8 +81,10 @@ Step RattleStepper::stop_short(Step tried, double t) {
   Step step;
   step.book.cost = tried.book.cost;
   step.state = std::move(tried.state);
-  for (auto& [id, blow] : stride_.blows)
+  for (auto& [id, blow] : stride_.blows) {
     blow.second.setZero();
+    blow.taken_back = false;
+  }
   std::ranges::fill(stride_.rods_second, 0.0);
   removal_.retreat(step.state);
   arrive(step, t);
@@ -117,17 +120,24 @@ void RattleStepper::place(Step& step) {
 /// Displacements that keep the cubes of an island apart, against friction where they rub.
 IslandSolution RattleStepper::apart(const Island& island,
                                     const std::vector<Twist>& targets,
-                                    Step& step) {
-  const Restricted part = removal_.apart(island);
+                                    Bookkeeping& book) {
+  Restricted part = removal_.apart(island);
   if (rubs(*system_, island)) {
+    // Gaps are not opened against friction: staying put is to be possible, or there may be no solution (a cube in a
+    // corner that rubs).
+    for (std::size_t k = 0; k < part.margins.size(); ++k) {
+      const Contact start =
+          at_poses(*system_, removal_.near().start_boxes(), part.island.contacts[k]);
+      part.margins[k] = std::min(part.margins[k], start.gap);
+    }
     IslandSolution solution = work_.friction.placement(stride_.start, with_margins(part), targets);
-    keep_book(solution, step.book);
+    keep_book(solution, book);
     return solution;
   }
   Solves solves;
   IslandSolution solution = nearest_place(stride_.start, part, targets, work_.dynamics, solves);
   solves.count(solution);
-  keep_cost(solves, step.book);
+  keep_cost(solves, book);
   return solution;
 }
 
@@ -178,7 +188,7 @@ void RattleStepper::place_island(const Island& island, Step& step) {
     const BodyState& half = stride_.half[cube];
     targets.push_back({stride_.h * half.velocity, stride_.h * half.spin});
   }
-  const IslandSolution straight = apart(island, targets, step);
+  const IslandSolution straight = apart(island, targets, step.book);
   fly_half(island, straight, step.state);
   // Where something is struck within the step its order is one anyway.
   const double least = straight.least_pressing();
@@ -219,7 +229,8 @@ void RattleStepper::follow(const Island& island, const State& state) {
 }
 
 /// The placement once more: directions stay those of the start, gaps are measured where the cubes have come. That
-/// makes the order two. Where these contradict one another the first place is as good a start for the clean-up.
+/// makes the order two. Where these contradict one another, or Coulomb's law, the first place is as good a start for the
+/// clean-up.
 void RattleStepper::bend(const Island& island,
                          const std::vector<Twist>& targets,
                          const IslandSolution& straight,
@@ -248,8 +259,12 @@ void RattleStepper::bend(const Island& island,
   IslandSolution placed = straight;
   // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
   for (int k = 0; k < most_bends && (k == 0 || bend_more(step.state, bent)); ++k) {
-    IslandSolution solution = apart(bent, targets, step);
-    if (solution.status != QpStatus::optimal && !solution.friction_inexact) break;
+    Bookkeeping tried;
+    IslandSolution solution = apart(bent, targets, tried);
+    const bool solved = solution.status == QpStatus::optimal;
+    if (!solved) tried.audit = {};
+    add(tried, step.book);
+    if (!solved) break;
     fly_half(island, solution, step.state);
     placed = std::move(solution);
   }
@@ -284,6 +299,7 @@ void RattleStepper::arrive(Step& step, double t) {
     flown[i].angle = flown_[i].angle;
   }
   const Push cleaned = unexplained(*system_, flown, step.state, 0.0, {});
+  stride_.before = step.state;
   if (system_->bounces) strike_anew(step);
   hit(step);
   step.error = error_of(step.state);
@@ -324,8 +340,8 @@ Push RattleStepper::pushed() const {
       add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
   }
   for (const auto& [id, blow] : stride_.blows) {
-    add_push(*system_, stride_.start, start, blow.start, blow.first + blow.returned, sum);
-    add_push(*system_, stride_.before, end, blow.end, blow.second - blow.returned, sum);
+    add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
+    add_push(*system_, stride_.before, end, blow.end, blow.second, sum);
   }
   return sum;
 }
@@ -355,30 +371,46 @@ void RattleStepper::strike_anew(Step& step) {
   for (const Contact& c : contacts_)
     near.push_back(c.id());
   std::ranges::sort(near);
-  const auto bounces = [&](const Blow& blow) {
-    return system_->surface(blow.start.on, blow.start.from).restitution > 0.0
-           && closing_speed(*system_, stride_, blow.start) > impact_steps
-           && std::ranges::binary_search(near, blow.start.id());
-  };
-  // Where the cubes are now both have the place in common, so that no turning is left behind.
-  const auto take_back = [&](Blow& blow) {
-    push(*system_, blow.end, -blow.first, step.state);
-    blow.returned += std::exchange(blow.first, Vec2::Zero());
+  const auto bounces = [&](const Contact& c) {
+    const Contact& start = stride_.blows.at(c.id()).start;
+    return system_->surface(start.on, start.from).restitution > 0.0
+           && closing_speed(*system_, stride_, start) > impact_steps
+           && std::ranges::binary_search(near, start.id());
   };
   std::vector<Island> islands;
   find_islands(*system_, acting(), islands);
   for (const Island& island : islands) {
-    bool any = false;
-    for (const Contact& c : island.contacts) {
-      Blow& blow = stride_.blows.at(c.id());
-      if (!bounces(blow)) continue;
-      take_back(blow);
-      any = true;
-    }
+    std::vector<Contact> bouncing = island.contacts;
+    std::erase_if(bouncing, [&](const Contact& c) { return !bounces(c); });
+    if (bouncing.empty()) continue;
+    take_back(bouncing, step.state);
     // Without them others, as in a wedge, push too hard.
-    if (!any || !is_faster_than_free(island, step.state)) continue;
-    for (const Contact& c : island.contacts)
-      take_back(stride_.blows.at(c.id()));
+    if (is_faster_than_free(island, step.state)) take_back(island.contacts, step.state);
+  }
+}
+
+/// Takes first impulses of an island back, where the cubes are now: both have that place in common, so that no turning
+/// is left behind. Arms have turned since the start; so much of them is taken that the energy comes back that they took.
+void RattleStepper::take_back(const std::vector<Contact>& contacts, State& state) {
+  double due = 0.0;
+  double linear = 0.0;
+  State change(state.size());
+  for (const Contact& c : contacts) {
+    Blow& blow = stride_.blows.at(c.id());
+    due -= first_work(*system_, stride_, blow).sum();
+    linear -= blow.first.dot(relative_velocity(*system_, stride_.before, c));
+    push(*system_, c, -blow.first, change);
+  }
+  // quadratic s^2 + linear s = due
+  const double quadratic = kinetic_energy(*system_, change);
+  const double root = linear * linear + 4.0 * quadratic * due;
+  const double share =
+      quadratic > 0.0 && root >= 0.0 ? (std::sqrt(root) - linear) / (2.0 * quadratic) : 1.0;
+  for (const Contact& c : contacts) {
+    Blow& blow = stride_.blows.at(c.id());
+    push(*system_, c, -share * blow.first - blow.second, state);
+    blow.second = -share * blow.first;
+    blow.taken_back = true;
   }
 }
 
@@ -399,7 +431,6 @@ bool RattleStepper::is_faster_than_free(const Island& island, const State& state
 void RattleStepper::hit(Step& step) {
   std::vector<Island> islands;
   find_islands(*system_, contacts_, islands);
-  stride_.before = step.state;
   const double slow = impact_steps * stride_.scales.gravity * stride_.h;
   for (const Island& island : islands) {
     if (!closes(*system_, step.state, island)) continue;
@@ -413,7 +444,7 @@ void RattleStepper::hit(Step& step) {
       if (after.forces[k] <= least) continue;
       const Vec2 impulse = impulse_at(c, after, k);
       push(*system_, c, impulse, step.state);
-      stride_.blows.at(c.id()).second = impulse;
+      stride_.blows.at(c.id()).second += impulse;
     }
     for (std::size_t k = 0; k < island.rods.size(); ++k) {
       stride_.rods_second[island.rods[k]] = after.rods[k];
@@ -456,7 +487,7 @@ double RattleStepper::error_of(const State& state) const {
 std::vector<Contact> RattleStepper::loaded() const {
   std::vector<Contact> loaded;
   for (const auto& [id, blow] : stride_.blows) {
-    if (!blow.first.isZero(0.0) && is_near(*system_, blow.end, pressed_share))
+    if (!blow.first.isZero(0.0) && !blow.taken_back && is_near(*system_, blow.end, pressed_share))
       loaded.push_back(blow.end);
   }
   return loaded;

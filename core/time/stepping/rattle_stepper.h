@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "core/time/stepping/overlap_removal.h"
-#include "core/time/stepping/step_record.h"
-#include "core/time/stepping/stride.h"
+#include "core/time/stepping/step_books.h"
 
 namespace wuerfel {
 
@@ -32,7 +31,7 @@ struct Step {
   /// Local error as a share of the smallest side: the root mean square, over cubes that struck nothing, of what
   /// their way differs from the trapezoidal rule over their velocities, which is of third order as the error is.
   double error = 0.0;
-  double rise = 0.0;     ///< J, by how much energy rose that had to be taken back
+  Rise rise;             ///< energy that had to be taken back
   double overlap = 0.0;  ///< left, as a share of the smaller side of the pair
 };
 
@@ -72,7 +71,7 @@ class RattleStepper {
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
             Step& step);
-  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Step& step);
+  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Bookkeeping& book);
   void fly_half(const Island& island, const IslandSolution& solution, State& state);
   void note_pressed(const Island& island, const IslandSolution& solution);
   void add_blows(const std::vector<Contact>& contacts);
@@ -81,6 +80,7 @@ class RattleStepper {
   static void settle(const Push& change, const StepRecord& record, Bookkeeping& book);
   void find_touching(Step& step);
   void strike_anew(Step& step);
+  void take_back(const std::vector<Contact>& contacts, State& state);
   [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;
   void hit(Step& step);
   [[nodiscard]] double surplus_of(const StepRecord& record, const State& end) const;

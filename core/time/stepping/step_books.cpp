@@ -12,6 +12,8 @@ namespace {
 /// What the sway of a step takes from the energy is given back by no more than this factor on
 /// velocities.
 constexpr double most_given_back = 1.01;
+/// What opens faster than so many g h does not last.
+constexpr double opening_steps = 1e-2;
 
 /// What the contacts of a component take from its energy, J.
 struct Balance {
@@ -49,11 +51,11 @@ std::vector<int> component_of(const std::vector<StepComponent>& components, std:
   return number;
 }
 
-/// Cubes that pushed one another, and the fixed bodies that keep them.
+/// Cubes that pushed one another or were moved apart, and the fixed bodies that keep them.
 std::vector<StepComponent> components_of(const System& system, const Stride& stride) {
   std::vector<Contact> acting;
   for (const auto& [id, blow] : stride.blows) {
-    if (blow.acts()) acting.push_back(blow.end);
+    if (blow.acts() || blow.cleaned) acting.push_back(blow.end);
   }
   std::vector<Island> islands;
   find_islands(system, acting, islands);
@@ -70,38 +72,21 @@ std::vector<StepComponent> components_of(const System& system, const Stride& str
     const Contact& c = blow.end;
     if (system.is_cube(c.on) && system.is_cube(c.from)) continue;
     const int k = component[a_cube_of(system, c)];
-    if (k < 0 || !(blow.acts() || is_near(system, c, touching_share))) continue;
+    if (k < 0 || !(blow.acts() || blow.cleaned || is_near(system, c, touching_share))) continue;
     std::vector<Vec2>& normals = components[k].fixed_normals;
     if (normals.size() < 2) normals.push_back(c.normal);
   }
   return components;
 }
 
-/// J, along the normal, and along the side.
-struct Work {
-  double normal = 0.0;
-  double side = 0.0;
-};
-
-/// Work of a contact in both halves: what its impulses do against the mean velocities that they
-/// change, gravity aside.
-Work work_of(const System& system, const Stride& stride, const Blow& blow, const State& end) {
-  Work sum;
-  const auto add = [&](const Contact& c, const Vec2& p, const State& a, const State& b, Vec2 more) {
-    if (p.isZero(0.0)) return;
-    if (!system.is_cube(c.on)) more = -more;
-    if (system.is_cube(c.on) && system.is_cube(c.from)) more.setZero();
-    const Vec2 v = 0.5 * (relative_velocity(system, a, c) + relative_velocity(system, b, c)) + more;
-    const Vec2 t = perp(c.normal);
-    sum.normal += p.dot(c.normal) * v.dot(c.normal);
-    sum.side += p.dot(t) * v.dot(t);
-  };
-  add(blow.start, blow.first, stride.start, stride.half, -0.25 * stride.h * system.gravity);
-  add(blow.end, blow.second, stride.before, end, Vec2::Zero());
-  return sum;
+/// Work of an impulse on the corner, where the relative velocity is `a` before it and `b` after it.
+Work work_of(const Contact& c, const Vec2& impulse, const Vec2& a, const Vec2& b) {
+  const Vec2 v = 0.5 * (a + b);
+  const Vec2 t = perp(c.normal);
+  return {impulse.dot(c.normal) * v.dot(c.normal), impulse.dot(t) * v.dot(t)};
 }
 
-/// The same of a rod. It would do none if its direction did not change within a step.
+/// Work of a rod in both halves. It would do none if its direction did not change within a step.
 double work_of(const System& system, const Stride& stride, int number, const State& end) {
   const Rod& rod = system.rods[number];
   const double sign = (rod.i.body >= 0 ? 1.0 : 0.0) - (rod.j.body >= 0 ? 1.0 : 0.0);
@@ -112,10 +97,12 @@ double work_of(const System& system, const Stride& stride, int number, const Sta
   return stride.rods_first[number] * first + stride.rods_second[number] * second;
 }
 
-/// Whether the contact is closed at the start and does not close: its work is the sway of the method.
+/// Whether the contact is closed at the start and stays so: its work is the sway of the method. What opens at the start
+/// and acts all the same lands.
 bool lasts(const System& system, const Stride& stride, const Blow& blow) {
+  const double closing = closing_speed(system, stride, blow.start);
   return blow.start.gap <= touching_share * contact_scale(system, blow.start)
-         && closing_speed(system, stride, blow.start) <= impact_steps;
+         && closing <= impact_steps && closing >= -opening_steps;
 }
 
 /// The share of the step at which a gap closes at the speed of the start; 1 where it closes more slowly
@@ -144,6 +131,21 @@ StepImpulse impulse_of(const System& system,
 
 }  // namespace
 
+Work first_work(const System& system, const Stride& stride, const Blow& blow) {
+  const Contact& c = blow.start;
+  // Half of the gravity of the first half is not the contact's.
+  Vec2 fall = Vec2::Zero();
+  if (system.is_cube(c.on) != system.is_cube(c.from))
+    fall = (system.is_cube(c.on) ? -0.25 : 0.25) * stride.h * system.gravity;
+  return work_of(c, blow.first, relative_velocity(system, stride.start, c) + fall,
+                 relative_velocity(system, stride.half, c) + fall);
+}
+
+Work second_work(const System& system, const Stride& stride, const Blow& blow, const State& end) {
+  return work_of(blow.end, blow.second, relative_velocity(system, stride.before, blow.end),
+                 relative_velocity(system, end, blow.end));
+}
+
 double sum_of(const std::vector<StepLoss>& losses) {
   double sum = 0.0;
   for (const StepLoss& loss : losses)
@@ -162,9 +164,10 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     const double share = struck_at(system, stride, blow);
     record.impulses.push_back(impulse_of(system, stride, blow, end, struck ? share : 0.0, share));
     const int k = component[a_cube_of(system, blow.end)];
-    const Work work = work_of(system, stride, blow, end);
-    const double loss = -work.normal;
-    balances[k].friction -= work.side;
+    const Work first = first_work(system, stride, blow);
+    const Work second = second_work(system, stride, blow, end);
+    const double loss = -first.normal - second.normal;
+    balances[k].friction -= first.side + second.side;
     (stays ? balances[k].lasting : balances[k].closing) += loss;
     if (!stays && loss > 0.0) record.components[k].losses.push_back({share, loss, false});
     if (struck) balances[k].last_struck = std::max(balances[k].last_struck, share);
@@ -177,6 +180,8 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
   }
   for (std::size_t k = 0; k < balances.size(); ++k) {
     std::vector<StepLoss>& losses = record.components[k].losses;
+    // What sides gain in a blow that its normals pay for is no friction.
+    balances[k].closing += std::min(balances[k].friction, 0.0);
     balance(balances[k], losses);
     if (system.rubs && balances[k].friction > 0.0)
       losses.push_back({1.0, balances[k].friction, true});
@@ -197,31 +202,30 @@ std::vector<Event> impacts_of(const System& system, const Stride& stride, double
   return events;
 }
 
-double settle_energy(
+Rise settle_energy(
     const System& system, const Stride& stride, bool sways, StepRecord& record, State& end) {
-  double rise = 0.0;
-  double unpaid = 0.0;
+  Rise rise;
   const auto kept = [&](const StepComponent& part) {
     return kept_motion(momentum_of(system, end, part.cubes), part.fixed_normals);
   };
   for (StepComponent& part : record.components) {
     const double lost = sum_of(part.losses);
     const double goal = energy_of(system, stride.start, part.cubes) - lost;
-    rise += std::max(0.0, energy_of(system, end, part.cubes) - goal);
+    rise.whole += std::max(0.0, energy_of(system, end, part.cubes) - goal);
     if (sways) continue;
     const double missing =
         scale_to_energy(system, part.cubes, kept(part), goal, most_given_back, end);
     const double kept_back = std::clamp(-missing, 0.0, lost);
-    unpaid += std::max(0.0, -missing - kept_back);
+    rise.unpaid += std::max(0.0, -missing - kept_back);
     for (StepLoss& loss : part.losses) {
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
     }
   }
   // What slides as a whole has no motion to pay with: others of the group do.
   for (const StepComponent& part : record.components) {
-    if (unpaid <= 0.0) break;
-    const double goal = energy_of(system, end, part.cubes) - unpaid;
-    unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept(part), goal, 1.0, end));
+    if (rise.unpaid <= 0.0) break;
+    const double goal = energy_of(system, end, part.cubes) - rise.unpaid;
+    rise.unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept(part), goal, 1.0, end));
   }
   return rise;
 }

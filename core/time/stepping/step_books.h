@@ -9,6 +9,18 @@
 
 namespace wuerfel {
 
+/// J, along the normal, and along the side.
+struct Work {
+  double normal = 0.0;
+  double side = 0.0;
+  [[nodiscard]] double sum() const { return normal + side; }
+};
+
+/// What the impulses of a contact do in the first half, and in the second one that leads to `end`, against the mean
+/// velocities that they change, gravity aside. Sums over all contacts are the exact changes of energy in both halves.
+Work first_work(const System& system, const Stride& stride, const Blow& blow);
+Work second_work(const System& system, const Stride& stride, const Blow& blow, const State& end);
+
 /// Impulses, who pushed whom, and what that cost: contacts that close lose what their impulses take,
 /// on balance; in a component where something is struck all contacts do, at the last blow. `end` is
 /// the state that the step leads to.
@@ -20,10 +32,16 @@ std::vector<Event> impacts_of(const System& system, const Stride& stride, double
 /// What losses add up to, J.
 double sum_of(const std::vector<StepLoss>& losses);
 
+/// Energy that a step had made, J.
+struct Rise {
+  double whole = 0.0;   ///< all of it
+  double unpaid = 0.0;  ///< what no motion could pay for
+};
+
 /// Brings the energy of every component to that of the start less its losses, as far as its velocities
 /// allow; where it `sways`, energy stays what it is. What velocities do not, for the clean-up may lift
-/// what stops on landing, is less of a loss. Returns by how much energy had risen, J.
-double settle_energy(
+/// what stops on landing, is less of a loss.
+Rise settle_energy(
     const System& system, const Stride& stride, bool sways, StepRecord& record, State& end);
 
 }  // namespace wuerfel

@@ -20,7 +20,8 @@ struct Blow {
   Contact end;    ///< where the cubes have come
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
-  Vec2 returned = Vec2::Zero();  ///< given at the start and taken back where the cubes have come
+  bool cleaned = false;     ///< the clean-up moved what it joins
+  bool taken_back = false;  ///< the second holds what took the first back where the cubes have come
   [[nodiscard]] bool acts() const { return !first.isZero(0.0) || !second.isZero(0.0); }
 };
 

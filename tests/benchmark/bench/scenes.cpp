@@ -23,7 +23,7 @@ using Overrides = std::vector<std::string>;
 
 constexpr std::array motions{"flight", "slide", "tilt", "corner_impact", "edge",
                              "ladder", "rider", "drop", "bullet",        "bullet_free"};
-constexpr std::array families{"tower", "pyramid", "wall", "pile", "mass_ratio"};
+constexpr std::array families{"tower", "pyramid", "wall", "pile", "rubbing_pile", "mass_ratio"};
 
 std::string content(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -99,6 +99,11 @@ Overrides size_of(std::string_view family, long n) {
   if (family == "wall")
     return {fmt::format("wall.wall1.rows={}", n), fmt::format("wall.wall1.columns={}", n)};
   if (family == "pile") return pile_of(n);
+  if (family == "rubbing_pile") {
+    Overrides overrides = pile_of(n);
+    overrides.emplace_back("material.friction=0.6");
+    return overrides;
+  }
   return {fmt::format("cube.heavy.mass={}", n)};
 }
 
@@ -108,8 +113,9 @@ std::optional<BenchScene> member(const std::string& name) {
   const std::string family = name.substr(0, split);
   if (std::ranges::find(families, family) == families.end()) return std::nullopt;
   const auto n = static_cast<long>(parse_positive("--scenes " + family, name.substr(split + 1)));
-  Scene scene = read(family, size_of(family, n));
-  if (family != "pile") return standing(name, std::move(scene));
+  const bool falls = family == "pile" || family == "rubbing_pile";
+  Scene scene = read(falls ? "pile" : family, size_of(family, n));
+  if (!falls) return standing(name, std::move(scene));
   BenchScene bench;
   bench.name = name;
   bench.scene = std::move(scene);
@@ -145,8 +151,8 @@ BenchScene make_bench_scene(std::string_view name) {
   if (name == "overhang") return standing(name, harmonic_overhang(1.0 - 1e-6));
   if (auto scene = member(std::string(name))) return std::move(*scene);
   throw UsageError(fmt::format(
-      "--scenes: '{}' is unknown; there is {}, overhang, tower_N, pyramid_N, wall_N, pile_N and "
-      "mass_ratio_N",
+      "--scenes: '{}' is unknown; there is {}, overhang, tower_N, pyramid_N, wall_N, pile_N, "
+      "rubbing_pile_N and mass_ratio_N",
       name, fmt::join(motions, ", ")));
 }
 

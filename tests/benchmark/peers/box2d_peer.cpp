@@ -24,7 +24,7 @@ class Box2dWorld : public PeerWorld {
       b2BodyDef definition;
       definition.position = vec(fixed.position);
       definition.angle = static_cast<float>(fixed.angle);
-      add_box(*world_.CreateBody(&definition), fixed.size, 0.0);
+      add_box(*world_.CreateBody(&definition), fixed.size, 0.0, fixed.material);
     }
     for (const SceneCube& cube : scene.cubes) {
       b2BodyDef definition;
@@ -34,7 +34,7 @@ class Box2dWorld : public PeerWorld {
       definition.linearVelocity = vec(cube.velocity);
       definition.angularVelocity = static_cast<float>(cube.spin);
       cubes_.push_back(world_.CreateBody(&definition));
-      add_box(*cubes_.back(), cube.size, cube.mass / cube.size.prod());
+      add_box(*cubes_.back(), cube.size, cube.mass / cube.size.prod(), cube.material);
     }
   }
 
@@ -54,7 +54,7 @@ class Box2dWorld : public PeerWorld {
   }
 
  private:
-  void add_box(b2Body& body, const Vec2& size, double density) const {
+  void add_box(b2Body& body, const Vec2& size, double density, const Material& material) const {
     b2PolygonShape shape;
     const b2Vec2 half = vec(0.5 * size);
     shape.SetAsBox(half.x, half.y);
@@ -62,7 +62,7 @@ class Box2dWorld : public PeerWorld {
     b2FixtureDef fixture;
     fixture.shape = &shape;
     fixture.density = static_cast<float>(density);
-    fixture.friction = 0.0F;
+    fixture.friction = static_cast<float>(material.friction);  // a pair: geometric mean, as ours
     fixture.restitution = 0.0F;
     body.CreateFixture(&fixture);
   }

@@ -1,5 +1,6 @@
 // Chipmunk 7: double precision, sequential impulses, no continuous collision.
 #include <chipmunk/chipmunk.h>
+#include <cmath>
 
 #include "tests/benchmark/peers/peer.h"
 
@@ -23,7 +24,7 @@ class ChipmunkWorld : public PeerWorld {
       cpBodySetPosition(body, vec(fixed.position));
       cpBodySetAngle(body, fixed.angle);
       bodies_.push_back(body);
-      add_box(body, fixed.size);
+      add_box(body, fixed.size, fixed.material);
     }
     for (const SceneCube& cube : scene.cubes) {
       const Vec2& size = cube.size;
@@ -35,7 +36,7 @@ class ChipmunkWorld : public PeerWorld {
       cpBodySetAngularVelocity(body, cube.spin);
       bodies_.push_back(body);
       cubes_.push_back(body);
-      add_box(body, size);
+      add_box(body, size, cube.material);
     }
   }
   ~ChipmunkWorld() override {
@@ -66,9 +67,9 @@ class ChipmunkWorld : public PeerWorld {
   }
 
  private:
-  void add_box(cpBody* body, const Vec2& size) {
+  void add_box(cpBody* body, const Vec2& size, const Material& material) {
     cpShape* shape = cpSpaceAddShape(space_, cpBoxShapeNew(body, size.x(), size.y(), 0.0));
-    cpShapeSetFriction(shape, 0.0);
+    cpShapeSetFriction(shape, std::sqrt(material.friction));  // a pair: the product
     cpShapeSetElasticity(shape, 0.0);
     shapes_.push_back(shape);
   }

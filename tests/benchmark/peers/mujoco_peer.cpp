@@ -98,9 +98,9 @@ std::vector<Peer> mujoco_peers() {
       return [&scene, model] { return std::make_unique<MujocoWorld>(model, scene); };
     };
   };
-  return {{engine, "default", 30, make({false, false})},
-          {engine, "stiff", 30, make({true, false})},
-          {engine, "stiff, RK4", 3, make({true, true})}};
+  return {{engine, "default", 30, make({false, false}), false},
+          {engine, "stiff", 30, make({true, false}), false},
+          {engine, "stiff, RK4", 3, make({true, true}), false}};
 }
 
 }  // namespace wuerfel::bench

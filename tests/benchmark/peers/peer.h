@@ -29,6 +29,7 @@ struct Peer {
   std::string method;
   std::size_t most_cubes = 0;  ///< above, a run takes minutes
   std::function<Maker(const Scene& scene, double step)> prepare;
+  bool rubs = true;  ///< takes the friction of scenes
 };
 
 /// A plane as the engines get it: a fixed box, its upper face on the plane around the plane's
@@ -40,6 +41,7 @@ inline SceneFixed box_of_plane(const ScenePlane& plane) {
   box.size = {length, depth};
   box.position = plane.point - 0.5 * depth * plane.normal;
   box.angle = std::atan2(-plane.normal.x(), plane.normal.y());
+  box.material = plane.material;
   return box;
 }
 

@@ -44,7 +44,9 @@ struct Options {
                                   "pyramid_20",
                                   "pyramid_40",
                                   "wall_30",
-                                  "pile_30"};
+                                  "pile_30",
+                                  "rubbing_pile_30",
+                                  "rubbing_pile_100"};
   std::string csv;
   std::string plot;
   double budget = 0.1;  // s
@@ -105,6 +107,7 @@ std::vector<BenchRow> measure_scene(const std::string& name, double budget) {
     rows.push_back(measure_ours(scene, settings, budget));
   for (const Peer& peer : all_peers()) {
     if (scene.scene.cubes.size() > peer.most_cubes) continue;
+    if (!peer.rubs && scene.scene.cubes.front().material.friction > 0.0) continue;
     for (const double step : steps_for(scene))
       rows.push_back(measure_peer(peer, scene, step, budget));
   }

@@ -24,7 +24,7 @@ TEST(ParseError, UnknownKeyWithoutLikenessListsTheKnownOnes) {
   EXPECT_EQ(
       toml_error("qqqqqq = 3\n" + std::string(cube)),
       "s.toml:1:1: unknown key \"qqqqqq\"; known: version, title, gravity, duration, material, "
-      "plane, fixed, cube, tower, wall, pyramid, pile, pair, point, rod, pin");
+      "plane, fixed, cube, tower, wall, pyramid, pile, pair, point, rod, pin, chain, truss");
 }
 
 TEST(ParseError, UnknownKeysOfAllTablesAreRefused) {
@@ -148,9 +148,11 @@ TEST(ParseError, MessagesAreOneLineWhateverTheyQuote) {
 
 TEST(ParseError, ASceneNeedsCubes) {
   EXPECT_EQ(toml_error("# nothing\n"),
-            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile or point");
+            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile or point or chain "
+            "or truss");
   EXPECT_EQ(toml_error("[[plane]]\n[[fixed]]\nposition = [0, 0]\n"),
-            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile or point");
+            "s.toml:1:1: a scene needs cube or tower or wall or pyramid or pile or point or chain "
+            "or truss");
   EXPECT_EQ(json_error(R"({"version": 1, "cube": []})"),
             "s.json: the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
 }

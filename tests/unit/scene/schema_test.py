@@ -40,7 +40,7 @@ def tables(part):
             yield from tables(value)
 
 
-assert len(list(tables(schema))) == 17, "the document, [material], eleven arrays of tables and four places in the frame of a body"
+assert len(list(tables(schema))) == 21, "the document, [material], thirteen arrays of tables and six places in the frame of a body"
 for table in tables(schema):
     assert table["additionalProperties"] is False
     assert all("description" in key for key in table["properties"].values())
@@ -69,6 +69,10 @@ everything = {
     "pair": [{"bodies": ["a", "floor"], "friction": 0.5}],
     "point": [{"name": "p", "mass": 2, "position": [0, 9], "velocity": [1, 0]}],
     "rod": [{"name": "r", "from": "a.ne", "to": "p"}, {"from": [0, 12], "to": "p", "length": 3}],
+    "chain": [{"count": 3, "from": [-40, 5], "to": [-38, 5], "length": 3, "mass": 2},
+              {"name": "c", "count": 2, "from": "chain1_2", "to": [-39, 1], "loose": True, "size": [0.3, 0.1], "density": 2,
+               "friction": 1, "restitution": 0, "color": "blue"}],
+    "truss": [{"name": "t", "count": 3, "from": [-50, 0], "to": [-47, 0], "height": 0.5, "kind": "warren", "supports": "pins", "mass": 2}],
     "pin": [{"name": "hinge", "from": {"body": "p", "at": [0, 0]}, "to": [0, 9], "collide": True}],
 }
 validator.validate(everything)
@@ -119,7 +123,8 @@ counts = {"both accept": 0, "both refuse": 0, "program only": 0}
 global_mistakes = ("overlap", "taken by", "there is no body", "clear of all others", "goes round", "must not be zero",
                    "two different", "given twice", "out of range", "no cubes", "xmin < xmax", "in a pile", "at most 200000",
                    "has no length", "has no part", "is a point", "is a plane", "cannot move", "of one body", "must coincide",
-                   "distance of the two places", "inside of")
+                   "distance of the two places", "inside of", "distance of its ends", "taut between", "longer than the chain",
+                   "another place than", "no place yet", "no place on an arc", "in a chain")
 for case, answer in zip(cases, answers):
     errors = list(validator.iter_errors(case))
     if answer == "ok":

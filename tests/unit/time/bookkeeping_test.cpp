@@ -78,5 +78,14 @@ TEST(Bookkeeping, PartsAddUpAndTheWorstCounts) {
   EXPECT_EQ(a.audit.max_overlap, 2e-10);
 }
 
+TEST(Loss, OfFrictionIsQuadraticWithinItsTime) {
+  // What slows down to rest in 2 s loses s (2 - s) of 8 J up to a share s.
+  const Loss loss{5.0, 8.0, true, 3.0, 2.0};
+  EXPECT_EQ(loss.by(3.0), 0.0);
+  EXPECT_EQ(loss.by(3.5), 8.0 * 0.25 * 1.75);
+  EXPECT_EQ(loss.by(4.0), 6.0);
+  EXPECT_EQ(loss.by(5.0), 8.0);
+}
+
 }  // namespace
 }  // namespace wuerfel::test

@@ -1,5 +1,7 @@
 #include "app/film/frame_taker.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/scene/scene_parser.h"
@@ -37,6 +39,26 @@ TEST(Looks, LieBeforeTheirFrames) {
   EXPECT_TRUE(instants[1].look);
   EXPECT_FALSE(instants[1].frame);
   EXPECT_EQ(with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), 0.0).size(), 3U);
+}
+
+TEST(Looks, AreNotTakenBeforeFramesOfPosesAlone) {
+  auto instants = timetable(0.2, {0.0, 0.1, 0.2}, {});
+  instants[1].bare = true;
+  EXPECT_EQ(with_looks(instants, 0.1).size(), 3U + 3U);
+}
+
+TEST(MarkScales, TakesAllFramesOfShortFilmsAndFortyOfLongOnes) {
+  const auto marked = [](long frames) {
+    auto instants =
+        timetable(1.0, frame_times(1.0, {.fps = static_cast<double>(frames - 1)}), {0.1234});
+    mark_scales(instants);
+    EXPECT_TRUE(instants.front().scales);
+    return std::ranges::count(instants, true, &Instant::scales);
+  };
+  EXPECT_EQ(marked(31), 31);
+  EXPECT_EQ(marked(79), 79);
+  EXPECT_EQ(marked(81), 41);
+  EXPECT_EQ(marked(2001), 41);
 }
 
 TEST(FrameTaker, ForcesOfRestAreWhatTheyAreAtAnyInstant) {

@@ -88,7 +88,7 @@ TEST_F(Recordings, KnowWhatArrowsReach) {
   double largest = 0.0;
   for (const SnapshotJoint& joint : moved(3).joints)
     largest = std::max(largest, joint.force.norm());
-  EXPECT_EQ(recording.range().forces.largest(), largest);
+  EXPECT_EQ(recording.seen().forces.largest(), largest);
 }
 
 TEST_F(Recordings, OfWhatIsTooLargeToBeKeptAreSimulatedAgain) {

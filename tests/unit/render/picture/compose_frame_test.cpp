@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -309,6 +310,114 @@ TEST_F(Composition, HudHasAPlateBehindIt) {
   EXPECT_GT(plate->color.a, 216);
 }
 
+TEST_F(Composition, PlatesHaveTheColoursOfWhatTheyHide) {
+  // The edge of a wall runs through the title: ground on its left, background on its right.
+  view = testing::literal_view(snapshot, style, options, 640, 360);
+  const Vec2 place = view.to_world(Vec2(60.0, 20.0));
+  snapshot.planes.push_back({"wall", place, Vec2::UnitX()});
+  options.layers = {Layer::cubes, Layer::hud};
+  const DrawList list = compose_frame(snapshot, view, style, options, font);
+  const auto last_over = [&](float x, float y) {
+    Color color;
+    for (const SegmentShape& s : list.segments)
+      if (s.round == 0.0F && s.from.y == s.to.y && s.half_width > 5.0F && s.from.x <= x
+          && x <= s.to.x && std::abs(s.from.y - y) <= s.half_width)
+        color = s.color;
+    return color;
+  };
+  const float y = list.texts.front().baseline.y;
+  EXPECT_EQ(last_over(40.0F, y), style.ground);
+  EXPECT_EQ(last_over(80.0F, y), style.background);
+}
+
+TEST_F(Composition, TheLegendHasAPlateOverBodies) {
+  // Bodies reach to the lower border, as under a camera that follows one.
+  options.layers = default_layers;
+  view = fixed_view(Vec2(-1.0, 1.4), 3.0, 640, 360);
+  const DrawList list = compose_frame(snapshot, view, style, options, font);
+  const auto hud = std::ranges::find(list.groups, "hud", &ShapeGroup::name);
+  ASSERT_NE(hud, list.groups.end());
+  const auto bodies = std::ranges::find(list.groups, "bodies", &ShapeGroup::name);
+  EXPECT_LT(bodies->shape, hud->shape) << "the HUD is painted after all bodies";
+  const TextShape& foot = list.texts.back();
+  const internal::Area area = internal::text_area(foot, font);
+  EXPECT_TRUE(std::ranges::any_of(list.segments, [&](const SegmentShape& s) {
+    return s.round == 0.0F
+           && static_cast<double>(s.from.x)<area.left&& static_cast<double>(s.to.x)> area.right
+           && static_cast<double>(
+                  s.from.y - s.half_width)<area.top&& static_cast<double>(s.from.y + s.half_width)>
+                  area.bottom
+           && s.color.a == 255;
+  })) << foot.text;
+}
+
+TEST_F(Composition, ContactsAndPointsArePaintedOverArrows) {
+  const DrawList list =
+      compose({Layer::cubes, Layer::forces, Layer::contacts, Layer::points, Layer::normals});
+  const auto start = [&](std::string_view name) {
+    const auto group = std::ranges::find(list.groups, name, &ShapeGroup::name);
+    EXPECT_NE(group, list.groups.end()) << name;
+    return group->shape;
+  };
+  EXPECT_LT(start("arrows"), start("contacts"));
+  EXPECT_LT(start("arrows"), start("points"));
+}
+
+TEST_F(Composition, TheLegendNamesNormalsAndThrust) {
+  const auto says = [&](Layers layers, std::string_view what) {
+    return std::ranges::any_of(compose(layers).texts,
+                               [&](const TextShape& text) { return text.text == what; });
+  };
+  EXPECT_TRUE(says({Layer::normals, Layer::hud}, "normal"));
+  EXPECT_TRUE(says({Layer::forces, Layer::hud}, "thrust"));
+  EXPECT_FALSE(says({Layer::contact_forces, Layer::hud}, "thrust"));
+}
+
+TEST_F(Composition, SmallTextOnSlidesIsDark) {
+  const Style slide = make_style(Theme::transparent);
+  EXPECT_EQ(slide.quiet_ink, slide.ink);
+  EXPECT_LT(brightness(slide.quiet_ink), 0.2);
+}
+
+TEST_F(Composition, ForcesRunThroughTheBodies) {
+  const DrawList list = compose({Layer::forces});
+  // Six ways: two joints above and below each box of the middle row, two below the top, ...
+  const auto ways = std::ranges::count_if(
+      list.segments, [](const SegmentShape& s) { return s.color.a < 255 && s.round == 1.0F; });
+  EXPECT_EQ(ways, 1 + 3 + 1 + 3 + 3 + 2) << "of six boxes";
+  EXPECT_EQ(std::ranges::count(compose({Layer::forces, Layer::thrust}).groups, "paths",
+                               &ShapeGroup::name),
+            0)
+      << "not twice";
+}
+
+TEST_F(Composition, NumbersStandBehindTheirArrows) {
+  const DrawList list = compose({Layer::cubes, Layer::forces, Layer::values});
+  const ArrowShape first = arrows_of(list, style.contact)[1];
+  const auto number = std::ranges::find(list.texts, "20.0 N", &TextShape::text);
+  ASSERT_NE(number, list.texts.end());
+  const internal::Area area = internal::text_area(*number, font);
+  EXPECT_GT(area.top, static_cast<double>(first.tail.y)) << "below the tail";
+  EXPECT_NEAR(0.5 * (area.left + area.right), static_cast<double>(first.tail.x), 1e-3);
+}
+
+TEST_F(Composition, EnergyBelowRoundingIsNone) {
+  const auto energy = [&] {
+    const DrawList list = compose({Layer::hud});
+    const auto text = std::ranges::find_if(
+        list.texts, [](const TextShape& t) { return t.text.starts_with("E ="); });
+    return text == list.texts.end() ? std::string() : text->text;
+  };
+  snapshot.energy_start = 0.0;
+  snapshot.energy = 3.2e-12;  // J, of cubes of some 10 J
+  EXPECT_EQ(energy(), "E = 0.00 J");
+  snapshot.energy_start = 100.0;
+  snapshot.energy = 100.0 - 1e-7;
+  EXPECT_EQ(energy(), "E = 100.0 J");
+  snapshot.energy = 99.0;
+  EXPECT_EQ(energy(), "E = 99.0 J (−1.00 J)");
+}
+
 TEST_F(Composition, TimeAndEnergyNeverMeet) {
   for (const double t : {0.0, 99.5, 100000.0, 1e9}) {
     snapshot.time = t;
@@ -336,6 +445,9 @@ TEST(Units, HavePrefixesBothWays) {
   EXPECT_EQ(with_prefix(2000.0, "N"), "2 kN");
   EXPECT_EQ(with_prefix(2e-12, "N"), "2 pN");
   EXPECT_EQ(with_prefix(24.83, "N", 3), "24.8 N");
+  EXPECT_EQ(with_prefix(15.0, "N", 3, Zeros::kept), "15.0 N");
+  EXPECT_EQ(with_prefix(124.9, "N", 3, Zeros::kept), "125 N");
+  EXPECT_EQ(with_prefix(999.9, "N", 3), "1 kN");
   EXPECT_EQ(energy_label(4.905e-9, 0.0), "4.90 nJ");
   EXPECT_EQ(energy_label(7.848e16, 0.0), "78.48 PJ");
   EXPECT_EQ(energy_label(843.7, 843.7), "843.7 J");
@@ -382,6 +494,40 @@ TEST_F(Composition, FreeBodiesShowBothForcesOfEachPair) {
   options.explode = 0.5;
   const DrawList list = compose({Layer::cubes, Layer::forces});
   EXPECT_EQ(arrows_of(list, style.contact).size(), 15U);
+}
+
+TEST(Exploded, RodsPinsAndPointsGoWithTheirBodies) {
+  Snapshot snapshot;
+  snapshot.boxes.resize(2);
+  snapshot.boxes[0].name = "a";
+  snapshot.boxes[1].name = "b";
+  snapshot.boxes[1].center = Vec2(2.0, 0.0);
+  snapshot.masses.push_back({"m", Vec2(1.0, 3.0), 1.0});
+  const Vec2 pull(0.0, -4.0);
+  snapshot.links.push_back({"rod", false, Vec2(0.5, 0.5), Vec2(1.0, 3.0), {"a", "m"}, -pull, 4.0});
+  snapshot.links.push_back(
+      {"pin", true, Vec2(1.0, 0.0), Vec2(1.0, 0.0), {"a", "b"}, Vec2(1.0, 0.0), 0.0});
+  for (const double x : {-0.5, 0.5, 1.5, 2.5}) {
+    snapshot.points.push_back({Vec2(x, -0.5), 0.5});
+    snapshot.rods.push_back({Vec2(x, -0.5), Vec2(x, 0.5), 0.0});
+  }
+  const Snapshot apart = exploded(snapshot, 1.0);
+  const Vec2 way_a = apart.boxes[0].center - snapshot.boxes[0].center;
+  const Vec2 way_b = apart.boxes[1].center - snapshot.boxes[1].center;
+  const Vec2 way_m = apart.masses[0].position - snapshot.masses[0].position;
+  EXPECT_GT((way_b - way_a).x(), 1.9);
+  EXPECT_EQ(apart.links[0].a, snapshot.links[0].a + way_a);
+  EXPECT_EQ(apart.links[0].b, snapshot.links[0].b + way_m);
+  EXPECT_EQ(apart.links[1].a, snapshot.links[1].a + way_a);
+  EXPECT_EQ(apart.links[1].b, snapshot.links[1].b + way_b);
+  EXPECT_EQ(apart.points[1].position, snapshot.points[1].position + way_a);
+  EXPECT_EQ(apart.points[2].position, snapshot.points[2].position + way_b);
+  EXPECT_EQ(apart.rods[3].b, snapshot.rods[3].b + way_b);
+  ASSERT_EQ(apart.forces.size(), 4U) << "both of each pair";
+  Vec2 sum = Vec2::Zero();
+  for (const SnapshotForce& force : apart.forces)
+    sum += force.force;
+  EXPECT_TRUE(sum.isZero(0.0));
 }
 
 TEST_F(Composition, GhostsLieBelowTheBodiesAndOnlyWhereTheyMoved) {

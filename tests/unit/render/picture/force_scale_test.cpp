@@ -53,7 +53,7 @@ TEST(ForceRange, MakesTheLargestForceFourFifthsOfASide) {
 TEST(ForceRange, LetsNoWedgeHideTheWeights) {
   ForceRange range;
   range.include(snapshot_with({10.0, 10.0, 6e4}, 10.0));
-  EXPECT_DOUBLE_EQ(range.scale().metres_per_newton * 10.0, 0.2) << "a tenth of a side";
+  EXPECT_DOUBLE_EQ(range.scale().metres_per_newton * 10.0, 0.3) << "of a side of 2 m";
   EXPECT_TRUE(range.cuts(range.scale()));
 }
 

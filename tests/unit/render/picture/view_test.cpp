@@ -80,18 +80,16 @@ TEST(Bounds, IncludeCutArrowsOnlyAsFarAsTheyAreDrawn) {
   EXPECT_NEAR(bounds.max.y(), 4.5, rounding);
 }
 
-TEST(Bounds, IncludeTheTailsOfArrowsInTheGround) {
+TEST(Bounds, LeaveRoomForTheLongestArrowInTheGround) {
   Snapshot snapshot;
   snapshot.boxes.push_back(unit_box(Vec2(0.0, 0.5)));
   snapshot.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY()});
-  SnapshotJoint joint;
-  joint.body = 0;
-  joint.other = 1;
-  joint.force = Vec2(0.0, 10.0);
-  snapshot.joints.push_back(joint);
   Bounds bounds;
-  bounds.include(snapshot, {0.02, 5.0, 0.0});
-  EXPECT_NEAR(bounds.min.y(), -0.2, rounding);
+  bounds.include(snapshot, {0.02, 0.8, 0.0});
+  EXPECT_NEAR(bounds.min.y(), -0.8, rounding) << "whatever is pushed now";
+  Bounds without_arrows;
+  without_arrows.include(snapshot, {});
+  EXPECT_NEAR(without_arrows.min.y(), 0.0, rounding);
 }
 
 TEST(Bounds, ReachTheNearGroundButNotTheFarOne) {

@@ -106,7 +106,8 @@ TEST(BounceSeries, ARestIsDatedWhereTheSeriesOfBouncesEnds) {
   for (int k = 0; k < 6; ++k) {
     events = {{t, EventKind::impact, "a", "floor", Vec2::Zero(), 1.0}};
     if (k == 5) events.push_back({t, EventKind::rest, "a", "floor", Vec2::Zero(), 0.0});
-    series.note(events, {}, 0.1);
+    series.note(
+        events, [](const auto&) { return false; }, 0.1);
     EXPECT_EQ(series.goes_on(), k >= 4) << k;
     t += interval;
     interval *= 0.5;
@@ -122,7 +123,9 @@ TEST(BounceSeries, PairsThatMoveOnTouchWhereItEnds) {
   std::vector<Event> events;
   for (int k = 0; k < 6; ++k) {
     events = {{t, EventKind::impact, "a", "floor", Vec2::Zero(), 1.0}};
-    series.note(events, {{"a", "floor"}}, 0.1);
+    const BounceSeries::NamePair pair{"a", "floor"};
+    series.note(
+        events, [&](const auto& names) { return names == pair; }, 0.1);
     t += interval;
     interval *= 0.5;
   }

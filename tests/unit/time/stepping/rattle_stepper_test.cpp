@@ -1,8 +1,11 @@
 // One step of time stepping, in closed form.
 #include "core/time/stepping/rattle_stepper.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "core/dynamics/momentum.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -86,6 +89,70 @@ TEST(RattleStepper, AnImpactSharesMomentumAndIsBookedWhenTheGapCloses) {
     lost += loss.energy;
   EXPECT_NEAR(lost, 0.375, 1e-14);
   EXPECT_LE(s.taken.overlap, overlap_share);
+}
+
+/// In space: a flies at 5 m/s towards b, turns and strikes it off its middle.
+Scene glancing_blow(double mu, double e) {
+  Scene scene;
+  scene.gravity = Vec2::Zero();
+  scene.cubes = {cube("a", {0.0, 0.4}, 0.3, 6.0), cube("b", {1.17, 0.0}, 0.0, -2.0)};
+  scene.cubes[0].velocity = {5.0, -1.0};
+  scene.cubes[1].mass = 3.0;
+  for (SceneCube& c : scene.cubes)
+    c.material = {mu, e};
+  return scene;
+}
+
+struct Totals {
+  Totals(const System& system, const State& state)
+      : sums(momentum_of(system, state, std::vector{0, 1})),
+        turning(sums.angular + det(sums.center, sums.linear)),
+        in_motion(energy(system, state)) {}
+  Momentum sums;
+  double turning;  // about the origin
+  double in_motion;
+};
+
+TEST(RattleStepper, WhatBouncesKeepsItsMomentaAndTheBooksClose) {
+  for (const double mu : {0.0, 0.5}) {
+    for (const double e : {0.0, 0.3, 0.9, 1.0}) {
+      const Stepped s(glancing_blow(mu, e));
+      ASSERT_FALSE(s.taken.book.events.empty());
+      const Totals start(s.m.system, s.m.state);
+      const Totals end(s.m.system, s.taken.state);
+      EXPECT_LT((end.sums.linear - start.sums.linear).norm(), 1e-14);
+      EXPECT_NEAR(end.turning, start.turning, 1e-13);
+      double lost = 0.0;
+      for (const Loss& loss : s.taken.book.losses)
+        lost += loss.energy;
+      EXPECT_NEAR(end.in_motion + lost, start.in_motion, 1e-13);
+      EXPECT_GE(lost, -1e-13);
+      if (mu == 0.0 && e == 1.0) {
+        EXPECT_NEAR(lost, 0.0, 1e-13);
+      }
+    }
+  }
+}
+
+/// A tilted cube in the corner of a floor and a wall that rub: it leans against the wall with one corner and stands on
+/// the next one.
+Scene corner(double mu) {
+  const double center = 0.4 * (std::cos(0.4) + std::sin(0.4));
+  Scene scene = on_floor({sized_cube("a", {center, center}, {0.8, 0.8}, -0.4)});
+  scene.planes.push_back({"wall", Vec2::Zero(), Vec2::UnitX(), {}});
+  for (ScenePlane& plane : scene.planes)
+    plane.material.friction = mu;
+  scene.cubes[0].material.friction = mu;
+  return scene;
+}
+
+TEST(RattleStepper, GapsAreNotOpenedAgainstFriction) {
+  for (const double mu : {1.0, 10.0, 1e6}) {
+    const Stepped s(corner(mu));
+    EXPECT_EQ(s.taken.book.audit.friction_inexact, 0);
+    EXPECT_NEAR(s.taken.state[0].angle, -0.4, 1e-12);
+    EXPECT_LT(s.taken.state[0].velocity.norm(), 1e-10);
+  }
 }
 
 TEST(RattleStepper, NoStepIsLongerThanHalfTheThinnestBody) {

@@ -74,13 +74,47 @@ TEST(StepBooks, WhatAStepAddsToTheEnergyIsTakenBack) {
   const double lost = sum_of(record.components[0].losses);
   State end = landing.end;
   // Along the ground nothing that the ground does can have changed the motion.
-  const double rise = settle_energy(landing.system(), landing.stride, false, record, end);
-  EXPECT_NEAR(rise, 0.5 * (0.49 + 0.09) - (0.5 - lost), 1e-14);
+  const Rise rise = settle_energy(landing.system(), landing.stride, false, record, end);
+  EXPECT_EQ(rise.unpaid, 0.0);
+  EXPECT_NEAR(rise.whole, 0.5 * (0.49 + 0.09) - (0.5 - lost), 1e-14);
   EXPECT_EQ(end[0].velocity.x(), 0.7);
   EXPECT_LT(std::abs(end[0].velocity.y()), 0.3);
   State swaying = landing.end;
   settle_energy(landing.system(), landing.stride, true, record, swaying);
   EXPECT_EQ(swaying[0].velocity.y(), 0.3);
+}
+
+/// Without restitution and without weight: it opens at `speed` g h from the ground that it stands on, and comes back.
+double loss_of_opening(double speed) {
+  Landing landing;
+  Stride& stride = landing.stride;
+  stride.start[0].position.y() = stride.before[0].position.y() = 0.5;
+  stride.start[0].velocity = {0.0, speed * stride.scales.gravity * stride.h};
+  stride.half = stride.start;
+  stride.before[0].velocity = {0.0, -1.0};
+  for (auto& [id, blow] : stride.blows) {
+    blow.start.gap = blow.end.gap = 0.0;
+    blow.first.setZero();
+    blow.second = {0.0, 0.5};
+  }
+  return sum_of(record_of(landing.system(), stride, landing.end).components.front().losses);
+}
+
+TEST(StepBooks, WhatOpensAndLandsIsLostWhatLastsIsSway) {
+  EXPECT_NEAR(loss_of_opening(0.1), 0.5, 1e-14);
+  EXPECT_EQ(loss_of_opening(1e-3), 0.0);
+}
+
+TEST(StepBooks, WhatNoMotionCanPayForIsSaid) {
+  Landing landing;
+  StepRecord record = record_of(landing.system(), landing.stride, landing.end);
+  record.components[0].losses.clear();
+  landing.stride.start[0].velocity.setZero();
+  landing.end[0].velocity = {0.3, 0.4};
+  const Rise rise = settle_energy(landing.system(), landing.stride, false, record, landing.end);
+  EXPECT_NEAR(rise.whole, 0.125, 1e-15);
+  EXPECT_NEAR(rise.unpaid, 0.045, 1e-15);  // along the ground
+  EXPECT_EQ(landing.end[0].velocity.y(), 0.0);
 }
 
 TEST(CloseGaps, ClosesThoseThatCarriedLoad) {

@@ -1,0 +1,101 @@
+#include "core/scene/scene_checks.h"
+
+#include <fmt/format.h>
+
+#include "core/scene/scene_parser.h"
+
+namespace wuerfel {
+namespace {
+
+std::int64_t cubes_of(const SceneEntries& entries) {
+  auto cubes = static_cast<std::int64_t>(entries.cubes.size());
+  for (const TowerEntry& tower : entries.towers) {
+    cubes += tower.count;
+  }
+  for (const WallEntry& wall : entries.walls) {
+    cubes += wall.rows * (wall.columns + 1);
+  }
+  for (const PyramidEntry& pyramid : entries.pyramids) {
+    cubes += pyramid.rows * (pyramid.rows + 1) / 2;
+  }
+  for (const PileEntry& pile : entries.piles) {
+    cubes += pile.count;
+  }
+  for (const ChainEntry& chain : entries.chains)
+    if (chain.link) cubes += chain.count;
+  return cubes;
+}
+
+std::int64_t points_of(const SceneEntries& entries) {
+  auto points = static_cast<std::int64_t>(entries.points.size());
+  for (const ChainEntry& chain : entries.chains)
+    if (!chain.link) points += chain.count;
+  for (const TrussEntry& truss : entries.trusses)
+    points += 2 * truss.count + 1;
+  return points;
+}
+
+bool is_within(const Limits& limits, double value) {
+  return value >= limits.min && value <= limits.max;
+}
+
+}  // namespace
+
+void check_counts(const SceneEntries& entries, const SceneSource& source) {
+  const std::int64_t cubes = cubes_of(entries);
+  const std::int64_t points = points_of(entries);
+  if (cubes + points == 0) {
+    source.fail({}, "", "the scene has no cubes; add a [[cube]] or a generator such as [[tower]]");
+  }
+  const std::int64_t bodies = cubes + points + static_cast<std::int64_t>(entries.fixed.size());
+  if (bodies > most_bodies) {
+    source.fail(
+        {}, "",
+        fmt::format("the scene has {} cubes, points and fixed boxes; at most {} are allowed",
+                    bodies, most_bodies));
+  }
+  if (static_cast<std::int64_t>(entries.planes.size()) > most_planes) {
+    source.fail({}, "",
+                fmt::format("the scene has {} planes; at most {} are allowed",
+                            entries.planes.size(), most_planes));
+  }
+}
+
+void check_ranges(const Scene& scene, const Groups& groups, const SceneSource& source) {
+  const auto check = [&](const BodyRef& body, const Vec2& position, double angle, double mass) {
+    const bool fits = is_within(limits::coordinate, position.x())
+                      && is_within(limits::coordinate, position.y())
+                      && is_within(limits::angle, angle) && is_within(limits::mass, mass);
+    if (fits) return;
+    const Origin& origin = *groups.of(body).origin;
+    source.fail(
+        origin.table->place, origin.path,
+        fmt::format("\"{}\" would have position [{}, {}], angle {} and mass {}, out of range",
+                    body_name(scene, body), position.x(), position.y(), angle, mass));
+  };
+  for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
+    check({BodyKind::fixed, static_cast<int>(i)}, scene.fixed[i].position, scene.fixed[i].angle,
+          1.0);
+  }
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+    const SceneCube& cube = scene.cubes[i];
+    check({BodyKind::cube, static_cast<int>(i)}, cube.position, cube.angle, cube.mass);
+  }
+}
+
+void check_overlap(const Scene& scene, const Groups& groups, const SceneSource& source) {
+  const std::optional<Overlap> overlap = find_overlap(scene);
+  if (!overlap) return;
+  const Origin& first = *groups.of(overlap->first).origin;
+  const Origin& second = *groups.of(overlap->second).origin;
+  const Origin& later = written_before(second.table->place, first.table->place) ? first : second;
+  try {
+    source.fail(later.table->place, later.path,
+                overlap_message(scene, *overlap)
+                    + "; move them apart, or let one stand on the other with `on`");
+  } catch (const SceneError& error) {
+    throw OverlapError(error.what());
+  }
+}
+
+}  // namespace wuerfel
