@@ -172,7 +172,8 @@ void tell_margin(const Explanation& e, Language language, std::vector<std::strin
     text.push_back(say_in(language, Phrase::no_weakest));
     return;
   }
-  const bool right = e.weakest->shift.high <= -e.weakest->shift.low;
+  constexpr double as_far = 1.0 + 1e-9;
+  const bool right = e.weakest->shift.high <= -e.weakest->shift.low * as_far;
   const double most = std::min(e.weakest->shift.high, -e.weakest->shift.low);
   // What hangs on rods swings: it need not be on the edge of falling.
   const Phrase none = e.still->system.rods.empty() ? Phrase::knife_edge : Phrase::no_shift;
