@@ -134,15 +134,14 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   });
   Simulation simulation = begin(job, resumed);
 
-  const std::string work = estimate(asked, scene, plan);
-  if (!work.empty() && !asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
-
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&stop] { stop.check(); };
   const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
                             plan.request, plan.back,    stop};
   RunBooks books(asked, plan, source, animation);
   SummaryFile summary_file(asked.summary);
+  const std::string work = estimate(asked, scene, plan);
+  if (!work.empty() && !asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);

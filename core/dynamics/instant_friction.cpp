@@ -155,7 +155,8 @@ class FallSearch {
     stages_.point.reset(stages_.form());
     stages_.take(start_);
     if (!stage(result)) return false;
-    return std::ranges::any_of(result.x, [&](double a) { return std::abs(a) > falls_above * scale_; });
+    return std::ranges::any_of(result.x,
+                               [&](double a) { return std::abs(a) > falls_above * scale_; });
   }
 
   const FrictionProgram friction_;

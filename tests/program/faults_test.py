@@ -40,7 +40,7 @@ class Endless(ProgramTest):
         self.assertEqual(self.expect(0, "run", self.scene(STANDING), "--until", "200", "--states", "s.csv", "--quiet").stderr, "")
 
     def test_what_no_disk_holds_is_refused_before_it_begins(self):
-        done = self.expect(2, "run", self.scene(FLYING), "--until", "1e4", "--size", "16384x16384", "--speed", "1e-2", "-o", "f/")
+        done = self.expect(2, "run", self.scene(FLYING), "--until", "1e3", "--size", "16384x16384", "--speed", "0.1", "-o", "f/")
         self.assertRegex(done.stderr, r"would take about .* GB, .* has .* free; ask for less")
         self.assertFalse(os.path.exists(self.path("f")))
 

@@ -174,13 +174,14 @@ TEST(PinForces, ActOnTheBodyOfFrom) {
 }
 
 TEST(PinForces, BetweenBodiesThatDoNotTouch) {
-  // Two halves of a beam pinned together on two supports: the pin at the middle makes it fall.
+  // Two halves of a beam pinned together, one end pinned, the other hung on a long rod: the pin at the middle makes it fall.
+  // (With both ends pinned the halves, stretched out, could not move at all.)
   const std::string text =
       "cube = [{name = \"a\", size = [2, 1], position = [-0.9, 0]}, {name = \"b\", size = [2, 1], "
       "position = [0.9, 0]}]\n"
       "pin = [{from = {body = \"a\", at = [0.9, 0]}, to = {body = \"b\", at = [-0.9, 0]}},"
-      "       {from = {body = \"a\", at = [-0.9, 0]}, to = [-1.8, 0]},"
-      "       {from = {body = \"b\", at = [0.9, 0]}, to = [1.8, 0]}]\n";
+      "       {from = {body = \"a\", at = [-0.9, 0]}, to = [-1.8, 0]}]\n"
+      "rod = [{from = {body = \"b\", at = [0.9, 0]}, to = [1.8, 10]}]\n";
   const Check answer = check_text(text);
   EXPECT_EQ(answer.verdict, Verdict::falls);
   EXPECT_TRUE(answer.contacts.empty());

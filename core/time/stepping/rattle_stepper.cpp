@@ -19,7 +19,7 @@ namespace {
 // Shares of the smaller side of a pair.
 constexpr double pressed_share =
     1e-3;  ///< contacts that were pressed take part in the velocity program up to here
-constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
+constexpr int most_bends = 4;  ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {

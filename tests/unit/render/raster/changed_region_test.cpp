@@ -56,7 +56,7 @@ TEST_F(InChanges, FramesOfAFilmAreAsIfDrawnAlone) {
     const Style style = make_style(theme);
     const FrameOptions options =
         test::literal_options({Layer::cubes, Layer::rods, Layer::forces, Layer::velocities,
-                                  Layer::contacts, Layer::names, Layer::hud});
+                               Layer::contacts, Layer::names, Layer::hud});
     Snapshot snapshot = test::pyramid_snapshot();
     const View view = test::literal_view(snapshot, style, options, 320, 180);
     for (int i = 0; i < 12; ++i) {

@@ -189,8 +189,8 @@ TEST(Renderer, OpaquePictureStaysOpaque) {
   const Snapshot snapshot = test::pyramid_snapshot();
   const Style style = make_style(Theme::light);
   const FrameOptions options =
-      test::literal_options({Layer::cubes, Layer::sides, Layer::forces, Layer::trails,
-                                Layer::rods, Layer::names, Layer::hud});
+      test::literal_options({Layer::cubes, Layer::sides, Layer::forces, Layer::trails, Layer::rods,
+                             Layer::names, Layer::hud});
   draw_frame(shared_renderer(), snapshot, test::literal_view(snapshot, style, options, 640, 360),
              style, options, image);
   EXPECT_TRUE(image.opaque());
