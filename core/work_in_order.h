@@ -48,6 +48,7 @@ class OrderedWork {
 
   void run(const std::function<void()>& pulse) {
     std::vector<std::jthread> crew;
+    crew.reserve(threads_);
     running_ = threads_;
     for (int i = 0; i < threads_; ++i)
       crew.emplace_back([this] { labour(); });

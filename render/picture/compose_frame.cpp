@@ -167,7 +167,10 @@ DrawList compose_frame(const Snapshot& snapshot,
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
   if (parts.has(Layer::symbols)) part("symbols", internal::add_symbols);
-  if (parts.has(Layer::names)) add_names(parts);
+  if (parts.has(Layer::names)) {
+    add_names(parts);
+    add_mass_names(parts);
+  }
   return list;
 }
 

@@ -2,6 +2,7 @@
 // beside each other; with the layer rod-forces strokes are as wide as forces are large.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "render/picture/frame_parts.h"
@@ -99,18 +100,27 @@ void add_rod_ends(const FrameParts& parts) {
   }
 }
 
-void add_masses(const FrameParts& parts) {
+double heaviest_mass(const FrameParts& parts) {
   double heaviest = 0.0;
   for (const SnapshotMass& mass : parts.snapshot.masses)
     heaviest = std::max(heaviest, mass.mass);
+  return heaviest;
+}
+
+float mass_radius(const FrameParts& parts, double mass, double heaviest) {
+  return parts.weight(
+      std::max(largest_mass_radius * std::sqrt(mass / heaviest), smallest_mass_radius));
+}
+
+void add_masses(const FrameParts& parts) {
+  const double heaviest = heaviest_mass(parts);
   for (const SnapshotMass& mass : parts.snapshot.masses) {
     DiscShape disc;
     disc.center = parts.pixel(mass.position);
     disc.outline_width = parts.weight(1.2);
     disc.fill = parts.style.mass;
     disc.outline = parts.style.joint;
-    disc.radius = parts.weight(
-        std::max(largest_mass_radius * std::sqrt(mass.mass / heaviest), smallest_mass_radius));
+    disc.radius = mass_radius(parts, mass.mass, heaviest);
     parts.list.add(disc);
   }
 }
@@ -132,6 +142,32 @@ void add_links(const FrameParts& parts) {
   add_rod_ends(parts);
   add_pins(parts);
   add_masses(parts);
+}
+
+/// Names of point masses, beside their discs.
+void add_mass_names(const FrameParts& parts) {
+  const double heaviest = heaviest_mass(parts);
+  for (const SnapshotMass& mass : parts.snapshot.masses) {
+    TextShape text;
+    text.text = mass.name;
+    text.size = static_cast<float>(0.86 * parts.style.text_size * parts.unit);
+    text.color = parts.style.ink;
+    text.halo = parts.style.halo;
+    text.halo_width = static_cast<float>(2.0 * parts.unit);
+    const auto width =
+        static_cast<float>(parts.font.width(text.text, static_cast<double>(text.size)));
+    const Pixel at = parts.pixel(mass.position);
+    const float away = mass_radius(parts, mass.mass, heaviest) + 0.3F * text.size;
+    const float middle = at.y + 0.36F * text.size;
+    const std::vector<Pixel> places{{at.x + away, middle},
+                                    {at.x - away - width, middle},
+                                    {at.x - 0.5F * width, at.y - away},
+                                    {at.x - 0.5F * width, at.y + away + 0.72F * text.size},
+                                    {at.x + away, at.y - away},
+                                    {at.x - away - width, at.y - away}};
+    if (!parts.labels.place(std::move(text), places, parts.font, parts.list))
+      ++parts.list.labels_left_out;
+  }
 }
 
 }  // namespace wuerfel::internal

@@ -66,6 +66,7 @@ void add_rods(const FrameParts& parts);
 void add_rod_forces(const FrameParts& parts);
 void add_points(const FrameParts& parts);
 void add_links(const FrameParts& parts);
+void add_mass_names(const FrameParts& parts);
 void add_contacts(const FrameParts& parts);
 void add_normals(const FrameParts& parts);
 /// m, where the arrow of a normal ends.

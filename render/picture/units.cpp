@@ -39,10 +39,13 @@ std::string with_prefix(double value, std::string_view unit, int digits, Zeros z
   // 999.9 N to three digits is 1 kN.
   const Prefix prefix = prefix_of(std::abs(value) * (1.0 + 0.5 * std::pow(10.0, -digits)));
   const double of_prefix = value / prefix.factor;
-  if (zeros == Zeros::dropped || of_prefix == 0.0)
-    return fmt::format("{:.{}g} {}{}", of_prefix, digits, prefix.name, unit);
+  if (of_prefix == 0.0) return fmt::format("0 {}", unit);
   const std::string scientific = fmt::format("{:.{}e}", of_prefix, digits - 1);
   const int exponent = std::stoi(scientific.substr(scientific.find('e') + 1));
+  if (zeros == Zeros::dropped) {
+    const double last = std::pow(10.0, exponent - digits + 1);
+    return fmt::format("{:.10g} {}{}", std::round(of_prefix / last) * last, prefix.name, unit);
+  }
   return fmt::format("{:.{}f} {}{}", of_prefix, std::max(digits - 1 - exponent, 0), prefix.name,
                      unit);
 }

@@ -445,6 +445,8 @@ TEST(Units, HavePrefixesBothWays) {
   EXPECT_EQ(with_prefix(2000.0, "N"), "2 kN");
   EXPECT_EQ(with_prefix(2e-12, "N"), "2 pN");
   EXPECT_EQ(with_prefix(24.83, "N", 3), "24.8 N");
+  EXPECT_EQ(with_prefix(243.0, "N", 2), "240 N");
+  EXPECT_EQ(with_prefix(0.3, "N", 2), "300 mN");
   EXPECT_EQ(with_prefix(15.0, "N", 3, Zeros::kept), "15.0 N");
   EXPECT_EQ(with_prefix(124.9, "N", 3, Zeros::kept), "125 N");
   EXPECT_EQ(with_prefix(999.9, "N", 3), "1 kN");
@@ -494,6 +496,19 @@ TEST_F(Composition, FreeBodiesShowBothForcesOfEachPair) {
   options.explode = 0.5;
   const DrawList list = compose({Layer::cubes, Layer::forces});
   EXPECT_EQ(arrows_of(list, style.contact).size(), 15U);
+}
+
+TEST_F(Composition, NamesOfPointsStandBesideThem) {
+  snapshot.masses.push_back({"bob", Vec2(3.5, 3.0), 1.0});
+  const DrawList list = compose({Layer::cubes, Layer::names});
+  const auto name = std::ranges::find(list.texts, "bob", &TextShape::text);
+  ASSERT_NE(name, list.texts.end());
+  const double at = view.to_pixel(snapshot.masses[0].position).x();
+  const double aside = std::abs(static_cast<double>(name->baseline.x) - at);
+  EXPECT_GT(aside, 3.0) << "not on the disc";
+  EXPECT_LT(aside, 60.0);
+  const DrawList plain = compose({Layer::cubes});
+  EXPECT_EQ(std::ranges::find(plain.texts, "bob", &TextShape::text), plain.texts.end());
 }
 
 TEST(Exploded, RodsPinsAndPointsGoWithTheirBodies) {
