@@ -67,6 +67,34 @@ Scene read_scene(const nlohmann::json& data) {
   return scene;
 }
 
+nlohmann::json read_data(const std::string& stem) {
+  const std::string path = std::string(TEST_DATA) + "/reference/" + stem + ".json";
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  return nlohmann::json::parse(file);
+}
+
+/// What names of cases are chosen by.
+struct Listed {
+  std::string stem;
+  std::string kind;
+  bool extended = false;  ///< needs friction or restitution
+};
+
+/// In order. Read once: every test of the suite is a process that begins with the names.
+std::vector<Listed> list_cases() {
+  std::vector<Listed> all;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(TEST_DATA) + "/reference")) {
+    if (entry.path().extension() != ".json") continue;
+    const std::string stem = entry.path().stem();
+    const nlohmann::json data = read_data(stem);
+    all.push_back({stem, data.at("kind"), data.contains("extension")});
+  }
+  std::ranges::sort(all, {}, &Listed::stem);
+  return all;
+}
+
 }  // namespace
 
 int ReferenceCase::cube(const std::string& id) const {
@@ -83,11 +111,8 @@ double ReferenceCase::weight() const {
 }
 
 ReferenceCase read_reference_case(const std::string& stem) {
-  const std::string path = std::string(TEST_DATA) + "/reference/" + stem + ".json";
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path);
   ReferenceCase result;
-  result.data = nlohmann::json::parse(file);
+  result.data = read_data(stem);
   result.name = result.data.at("name");
   result.kind = result.data.at("kind");
   result.scene = read_scene(result.data);
@@ -102,19 +127,16 @@ std::string test_name(std::string stem) {
 
 std::vector<std::string> reference_case_names(const std::string& kind,
                                               const std::vector<std::string>& prefixes) {
+  static const std::vector<Listed> all = list_cases();
   std::vector<std::string> names;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(TEST_DATA) + "/reference")) {
-    const std::string stem = entry.path().stem();
+  for (const Listed& listed : all) {
     const bool wanted =
-        prefixes.empty()
-        || std::ranges::any_of(prefixes, [&](const std::string& p) { return stem.starts_with(p); });
-    if (entry.path().extension() != ".json" || !wanted) continue;
-    const ReferenceCase found = read_reference_case(stem);
-    const bool plain = kind == "friction" || !found.data.contains("extension");
-    if (found.kind == kind && plain) names.push_back(stem);
+        prefixes.empty() || std::ranges::any_of(prefixes, [&](const std::string& p) {
+          return listed.stem.starts_with(p);
+        });
+    const bool plain = kind == "friction" || !listed.extended;
+    if (wanted && plain && listed.kind == kind) names.push_back(listed.stem);
   }
-  std::ranges::sort(names);
   return names;
 }
 
