@@ -25,7 +25,9 @@ Counts contacts_of_pairs(const std::vector<Touch>& touches) {
 }
 
 std::ptrdiff_t count_of(const Counts& counts, const IndexPair& pair) {
-  return std::ranges::ssize(std::ranges::equal_range(counts, pair));
+  const auto [first, last] =
+      std::equal_range(counts.begin(), counts.end(), pair);  // of std::ranges: not with Clang 14
+  return last - first;
 }
 
 /// The touch of the same pair among others.
