@@ -18,7 +18,6 @@ constexpr double longest_bar = 0.16;  ///< of the picture's width
 constexpr double longest_arrow = 0.12;
 constexpr double sample_length = 34.0;  ///< px
 constexpr double plate_edge = 7.0;
-constexpr double text_halo = 2.0;
 
 /// A rectangle without an outline: a stroke as wide as it is high.
 void add_bar(const FrameParts& parts, const Area& area, Color color) {

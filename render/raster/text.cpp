@@ -39,7 +39,8 @@ void blend_glyph(const Glyph& glyph, int x, int y, Color color, Image& image) {
 
 /// One pass over the letters: the halo's, or the letters' own.
 void blend_line(const TextShape& text, double halo, Color color, Font& font, Image& image) {
-  double pen = text.baseline.x;
+  double pen = static_cast<double>(text.baseline.x);
+  const auto size = static_cast<double>(text.size);
   const int y = static_cast<int>(std::lround(text.baseline.y));
   for (std::size_t at = 0; at < text.text.size();) {
     const char32_t letter = next_code_point(text.text, at);
@@ -47,9 +48,8 @@ void blend_line(const TextShape& text, double halo, Color color, Font& font, Ima
     const char32_t next = at < text.text.size() ? next_code_point(text.text, peek) : 0;
     const auto quarters = static_cast<int>(std::lround(pen * 4.0));
     const int phase = ((quarters % 4) + 4) % 4;
-    blend_glyph(font.glyph(letter, text.size, phase, halo), (quarters - phase) / 4, y, color,
-                image);
-    pen += font.advance(letter, next, text.size);
+    blend_glyph(font.glyph(letter, size, phase, halo), (quarters - phase) / 4, y, color, image);
+    pen += font.advance(letter, next, size);
   }
 }
 
@@ -57,7 +57,7 @@ void blend_line(const TextShape& text, double halo, Color color, Font& font, Ima
 
 void blend_text(const TextShape& text, Font& font, Image& image) {
   if (text.halo_width > 0.0F && text.halo.a > 0) {
-    blend_line(text, text.halo_width, text.halo, font, image);
+    blend_line(text, static_cast<double>(text.halo_width), text.halo, font, image);
   }
   blend_line(text, 0.0, text.color, font, image);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -174,7 +175,7 @@ TEST(Coulomb, MalformedProgramsAreRefused) {
   c.contacts[0].tangent = 17;
   EXPECT_TRUE(refused());
   c.contacts[0] = sound;
-  c.program.target[1] = NAN;
+  c.program.target[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(refused());
 }
 
