@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/coulomb/clones.h"
+
 namespace wuerfel {
 namespace {
 
@@ -87,7 +89,7 @@ void BlockLu::set_identity() {
 }
 
 /// Left-looking: column j of L and row j of U, then the 3x3 pivot; L is divided by it.
-[[gnu::target_clones("avx2", "default")]] bool BlockLu::factorise() {
+WUERFEL_CLONES bool BlockLu::factorise() {
   sign_ = 1;
   bool regular = true;
   for (int j = 0; j < pattern_.blocks; ++j) {
@@ -121,7 +123,7 @@ void BlockLu::set_identity() {
   return regular;
 }
 
-[[gnu::target_clones("avx2", "default")]] void BlockLu::solve(Quad* v) const {
+WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
   for (int j = 0; j < pattern_.blocks; ++j) {
     const Quad z = v[j];
     for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/coulomb/clones.h"
+
 namespace wuerfel {
 namespace {
 
@@ -165,7 +167,7 @@ void ContactForm::scale_row(const QuadraticProgram& p,
   (tangential ? unit.square.t : unit.square.n) = square;
 }
 
-[[gnu::target_clones("avx2", "default")]] void ContactForm::apply(const Quad* y, Pair* out) const {
+WUERFEL_CLONES void ContactForm::apply(const Quad* y, Pair* out) const {
   for (const ContactUnit& unit : units_) {
     Pair sum;
     for (int e = unit.first; e < unit.last; ++e) {
@@ -176,8 +178,7 @@ void ContactForm::scale_row(const QuadraticProgram& p,
   }
 }
 
-[[gnu::target_clones("avx2", "default")]] void ContactForm::apply_transposed(const Pair* l,
-                                                                             Quad* out) const {
+WUERFEL_CLONES void ContactForm::apply_transposed(const Pair* l, Quad* out) const {
   std::fill(out, out + blocks_, Quad{});
   for (const ContactUnit& unit : units_) {
     const Pair& f = *l++;
@@ -191,8 +192,7 @@ void ContactForm::scale_row(const QuadraticProgram& p,
 }
 
 /// K_ba += g_n,b p_a' + g_t,b q_a' with p = nn g_n + nt g_t, q = tn g_n + tt g_t.
-[[gnu::target_clones("avx2", "default")]] bool ContactForm::factorise(
-    const std::vector<Weight>& weight) {
+WUERFEL_CLONES bool ContactForm::factorise(const std::vector<Weight>& weight) {
   lu_.set_identity();
   const int* pair = pair_.data();
   for (int i = 0; i < count(); ++i) {
