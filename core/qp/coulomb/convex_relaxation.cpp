@@ -18,7 +18,12 @@ ConvexRelaxation::ConvexRelaxation(double tolerance)
 QpStatus ConvexRelaxation::solve(const FrictionProgram& friction) {
   build(friction);
   solver_->solve(convex_, result_);
-  if (!result_.multiplier.empty()) read(friction);
+  // A solver that refuses the program leaves what it found for another one.
+  if (result_.multiplier.size() == convex_.bound.size()) {
+    read(friction);
+  } else {
+    multiplier_.assign(friction.program.bound.size(), 0.0);
+  }
   return result_.status;
 }
 
