@@ -17,20 +17,31 @@ namespace {
 constexpr int many_frames = 10000;
 constexpr double much = 1e9;  // bytes
 
-// Bytes per pixel and frame, by the shipped scenes: a PNG holds what is flat in few bytes, a film only what changes.
-constexpr double png_pixel = 0.1;
-constexpr double film_pixel = 0.01;
-// Bytes per body and frame in the tables: numbers with all their digits.
-constexpr double table_row = 150.0;
+/// Bytes of something in a frame: nobody knows them before it is drawn.
+struct Bytes {
+  double least = 0.0;
+  double likely = 0.0;
+};
+
+Bytes operator*(double times, const Bytes& bytes) {
+  return {times * bytes.least, times * bytes.likely};
+}
+
+// Per pixel, by the shipped scenes at 1280 x 720: a PNG holds what is flat in few bytes, a film only
+// what changes.
+constexpr Bytes png_pixel{0.04, 0.1};
+constexpr Bytes film_pixel{0.0003, 0.002};
+// Per body in the tables: numbers with as many digits as they need.
+constexpr Bytes table_row{30.0, 150.0};
 
 struct Need {
   std::filesystem::path folder;
-  double bytes = 0.0;
+  Bytes bytes;
 };
 
 std::vector<Need> needs(const RunOptions& asked, const Scene& scene, double frames) {
   std::vector<Need> list;
-  const auto add = [&](const std::string& name, double bytes) {
+  const auto add = [&](const std::string& name, const Bytes& bytes) {
     if (name.empty() || name == "-") return;
     std::error_code error;
     std::filesystem::path folder = std::filesystem::absolute(name, error);
@@ -63,14 +74,15 @@ void require_room(const std::vector<Need>& list) {
     if (error) continue;
     Need& disk = disks[space.available];
     disk.folder = need.folder;
-    disk.bytes += need.bytes;
+    disk.bytes.least += need.bytes.least;
   }
   for (const auto& [free, need] : disks) {
-    if (need.bytes <= 2.0 * static_cast<double>(free)) continue;
+    if (need.bytes.least <= static_cast<double>(free)) continue;
     throw UsageError(fmt::format(
-        "the outputs would take about {}, {} has {} free; ask for less (--until, --fps, --size) or "
+        "the outputs would take {} or more, {} has {} free; ask for less (--until, --fps, --size) "
+        "or "
         "another folder",
-        size_text(need.bytes), need.folder.string(), size_text(static_cast<double>(free))));
+        size_text(need.bytes.least), need.folder.string(), size_text(static_cast<double>(free))));
   }
 }
 
@@ -83,7 +95,7 @@ std::string estimate(const RunOptions& asked, const Scene& scene, const RunPlan&
   require_room(list);
   double bytes = 0.0;
   for (const Need& need : list)
-    bytes += need.bytes;
+    bytes += need.bytes.likely;
   if (frames < many_frames && bytes < much) return {};
   return fmt::format("{} frames, about {} on disk", frames, size_text(bytes));
 }

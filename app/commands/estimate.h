@@ -9,8 +9,9 @@
 namespace wuerfel {
 
 /// One line on frames and disk space where there are many of them, else nothing: within a factor of
-/// two or three for pictures, which nobody knows before they are drawn.
-/// Throws UsageError where not even half of it would fit into the folders it goes to.
+/// two for frames, of six for films.
+/// Throws UsageError where not even the least that such outputs take fits into the folders they go
+/// to.
 std::string estimate(const RunOptions& asked, const Scene& scene, const RunPlan& plan);
 
 }  // namespace wuerfel
