@@ -38,10 +38,17 @@ double parse_positive(std::string_view option, std::string_view text) {
 
 double parse_bytes(std::string_view option, std::string_view text) {
   constexpr std::string_view units = "kMGT";
-  const std::size_t unit = text.empty() ? std::string_view::npos : units.find(text.back());
-  if (unit == std::string_view::npos) return parse_positive(option, text);
-  text.remove_suffix(1);
-  return parse_positive(option, text) * std::pow(1000.0, static_cast<double>(unit + 1));
+  std::string_view number = text;
+  double unit = 1.0;
+  if (const std::size_t power = units.find(text.empty() ? ' ' : text.back());
+      power != std::string_view::npos) {
+    unit = std::pow(1000.0, static_cast<double>(power + 1));
+    number.remove_suffix(1);
+  }
+  double value = 0.0;
+  if (!read_whole(number, value) || !std::isfinite(value) || value <= 0.0)
+    throw UsageError(fmt::format("{}: '{}' is no size, as 500M or 4G", option, text));
+  return unit * value;
 }
 
 double parse_paper_length(std::string_view option, std::string_view text) {
