@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -70,12 +71,15 @@ TEST(Margins, ALoadOnAHarmonicStackTipsTheInterfaceThatIsFirst) {
   for (const double eps : {1e-2, 1e-4, 1e-6}) {
     const int n = 10;
     const Scene scene = harmonic(n, -eps);
-    const long double top = scene.cubes.back().position.x();
-    long double least = INFINITY;
+    const auto x = [&](int cube) {
+      return static_cast<long double>(scene.cubes[cube].position.x());
+    };
+    const long double top = x(n - 1);
+    long double least = std::numeric_limits<long double>::infinity();
     long double sum = 0.0L;
     for (int i = 1; i <= n; ++i) {  // i cubes above an edge
-      sum += scene.cubes[n - i].position.x();
-      const long double edge = i == n ? 0.0L : scene.cubes[n - i - 1].position.x() + 0.5L;
+      sum += x(n - i);
+      const long double edge = i == n ? 0.0L : x(n - i - 1) + 0.5L;
       if (top > edge) least = std::min(least, i * 9.81L * (edge - sum / i) / (top - edge));
     }
     const LoadRange load = load_on_top(scene);
