@@ -5,8 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/dynamics/momentum.h"
 #include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 namespace {
@@ -144,7 +146,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   pieces.push_back(last_piece());
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
   clock_ += step.elapsed;
-  if (event) {
+  if (event || phase_.rods_contradict()) {
     const bool instant = step.elapsed <= instant_share * phase_.scales().time;
     instant_events_ = instant ? instant_events_ + 1 : 0;
     begin_phase(State(step.end), ended_phase(), {}, book);
@@ -178,6 +180,7 @@ void EventMotion::begin_phase(const State& state,
   };
   series_.note(now.events, stays, longest_tail * scales_of(*system_, state).time);
   note_instant(now, book);
+  if (!now.contradicting.empty()) note_contradiction(*system_, now.contradicting, clock_, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
@@ -274,6 +277,8 @@ State EventMotion::look(const MotionPiece& piece, double t) {
     looker_.close(piece.closed, piece.resting, piece.touches);
     project_places(looker_, state);
     project_velocities(looker_, state);
+    for (const std::vector<int>& cubes : flying_groups(*system_, piece.closed, piece.resting))
+      keep_momenta(*system_, cubes, piece.start, t - piece.begin, state);
   }
   return state;
 }

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_consistency.h"
+
 namespace wuerfel {
 namespace {
 
@@ -48,9 +51,15 @@ void set_parabola(const std::vector<double>& y,
 
 void EquationsOfMotion::close(ContactSet closed, const std::vector<char>& resting) {
   contacts_.close(closed.contacts, resting, closed.touches);
+  flying_ = flying_groups(contacts_.system(), contacts_.contacts(), resting);
   touches_ = std::move(closed.touches);
   slips_ = static_cast<int>(
       std::ranges::count_if(touches_, [](const Touch& t) { return t.slips != 0; }));
+}
+
+void EquationsOfMotion::keep_momenta(const State& from, double t, State& state) const {
+  for (const std::vector<int>& cubes : flying_)
+    wuerfel::keep_momenta(contacts_.system(), cubes, from, t, state);
 }
 
 void EquationsOfMotion::operator()(const std::vector<double>& y, std::vector<double>& rate) {
@@ -77,6 +86,7 @@ void EquationsOfMotion::project(State& state) {
 }
 
 void EquationsOfMotion::find_loads(std::vector<double>& loads) const {
+  if (contacts_.contacts().empty()) return loads.clear();
   wuerfel::find_loads(touches_, contacts_.contacts(), contacts_.forces(), loads);
   const RubbingContacts& rubbing = contacts_.rubbing();
   if (!rubbing.any()) return;
@@ -195,6 +205,7 @@ void SmoothPhase::complete(double length) {
   unpack(method_.next(), step_.end);
   if (equations_.on_fixed()) step_.flown = step_.end;
   equations_.project(step_.end);
+  equations_.keep_momenta(start_, length, step_.end);
   pack(step_.end, step_.y);
   evaluate(step_.y, step_.rate);
   end_push_ = equations_.pushed();
@@ -244,6 +255,17 @@ void SmoothPhase::shift_end(double time) {
   step_.flown = shifted(std::move(step_.flown), time);
   step_.elapsed += time;
   step_.push += time * end_push_;
+}
+
+bool SmoothPhase::rods_contradict() const {
+  if (system_->rods.size() < 2 || !equations_.redundant()) return false;
+  State accelerated = step_.end;
+  for (int i = 0; i < static_cast<int>(accelerated.size()); ++i) {
+    const Twist a = acceleration_of(step_.rate, i);
+    accelerated[i].velocity = a.linear;
+    accelerated[i].spin = a.angular;
+  }
+  return misses_rods(*system_, step_.end, accelerated);
 }
 
 void SmoothPhase::go_on() {

@@ -47,6 +47,8 @@ class EquationsOfMotion {
   void operator()(const std::vector<double>& y, std::vector<double>& rate);
   /// Puts a state on the closed contacts.
   void project(State& state);
+  /// What rods join and nothing fixed touches keeps its momenta in t s since `from`, to rounding.
+  void keep_momenta(const State& from, double t, State& state) const;
 
   /// What must stay positive, at the state of the last call: what the closed contacts bear; how far
   /// touches that stick are from slipping; how fast touches slip, from `first_slip` on.
@@ -69,6 +71,7 @@ class EquationsOfMotion {
  private:
   ClosedContacts contacts_;
   std::vector<Touch> touches_;
+  std::vector<std::vector<int>> flying_;
   int slips_ = 0;              ///< touches that slip
   State state_;                ///< scratch of a call
   std::vector<Twist> twists_;  ///< likewise
@@ -114,6 +117,8 @@ class SmoothPhase {
   /// Puts a state on the closed contacts.
   void project(State& state) { equations_.project(state); }
   [[nodiscard]] bool redundant() const { return equations_.redundant(); }
+  /// Whether no accelerations keep the lengths of all rods at the end of the step.
+  [[nodiscard]] bool rods_contradict() const;
   [[nodiscard]] bool free() const { return parabolas_ && equations_.free(); }
 
  private:

@@ -6,6 +6,8 @@
 #include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
 #include "core/time/policy.h"
+#include "core/time/promises.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 namespace {
@@ -114,8 +116,11 @@ void FixedStepMotion::note_rods() {
     const double error = largest_rod_error(points_of(grid_.state[i], size), size);
     book_.audit.max_rod_error = std::max(book_.audit.max_rod_error, error);
   }
+  const bool kept = book_.audit.max_rod_error <= promised_rod_error;
   book_.audit.max_rod_error =
       std::max(book_.audit.max_rod_error, largest_rod_error(*system_, grid_.state));
+  if (kept && book_.audit.max_rod_error > promised_rod_error)
+    book_.breaches.push_back({Promise::rods, grid_.t, lost_rods(*system_, grid_.state)});
 }
 
 }  // namespace wuerfel
