@@ -2,6 +2,8 @@
 import cmath
 import csv
 import json
+import os
+import re
 
 from program import ProgramTest, main
 
@@ -165,6 +167,22 @@ class Rods(ProgramTest):
         self.assertTrue(all(rod["unique"] for rod in rods.values()))
         more = self.expect(0, "check", self.scene(scene), "--set", "truss.truss1.kind=warren", "--json").stdout
         self.assertIn("truss1_diagonal12", more)
+
+    def test_the_scenes_of_the_readme_do_what_it_says(self):
+        with open(os.path.join(os.environ["PROJECT"], "README.md")) as page:
+            section = page.read().split("\n## Rods\n")[1].split("\n## ")[0]
+        pendulum, bridge = re.findall(r"```toml\n(.*?)```", section, re.DOTALL)
+        for name, text in (("pendulum.toml", pendulum), ("bridge.toml", bridge)):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        s = json.loads(self.expect(0, "run", "pendulum.toml", "--until", "2", "--json").stdout)
+        self.assertEqual(s["outcome"]["moved"], ["upper", "lower"])
+        said = self.expect(0, "check", "bridge.toml").stdout.splitlines()
+        shown = section.split("```\n$ wuerfel check")[1].split("```")[0].splitlines()[1:]
+        self.assertEqual(len(shown), 5)
+        for line in shown:
+            self.assertIn(line, said)
+        self.expect(0, "figure", "bridge.toml", "-o", "bridge.png", "--layers", "cubes,rod-forces,names,hud", "--size", "320x180")
 
     def test_pictures_of_points_and_rods_can_be_drawn(self):
         for layers in ("cubes", "cubes,rods", "cubes,rod-forces,forces,hud,names,velocities,trails"):
