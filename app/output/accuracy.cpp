@@ -30,8 +30,8 @@ std::string text_of(Promise promise, const Audit& audit) {
           audit.max_overlap, promised_overlap);
     case Promise::energy:
       return fmt::format(
-          "energy drifted by {:.2g} J, more than the {:.2g} J that the tolerance promises; try a "
-          "smaller --tolerance",
+          "energy drifted by {:.2g} J, more than the {:.2g} J that are promised; try a smaller "
+          "--tolerance or --step",
           audit.drift(), audit.drift_budget);
     case Promise::rods:
       if (audit.rods_contradicting > 0)

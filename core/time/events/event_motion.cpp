@@ -196,6 +196,8 @@ void EventMotion::begin_phase(const State& state,
   if (loss > -lifted) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
   forces_.begin(phase_, zero_load);
+  // A body on a rod that is alone in the world meets nobody and releases nothing.
+  phase_.set_watched(!modes_.closed.contacts.empty() || geometry_.watches());
 }
 
 /// The first event within a step.
@@ -272,7 +274,9 @@ FormerPhase EventMotion::ended_phase() const {
 State EventMotion::look(const MotionPiece& piece, double t) {
   State state = piece.start;
   if (t <= piece.begin) return state;
-  look_at(piece.motion, (t - piece.begin) / piece.length, state);
+  const bool known = !piece.motion.coefficients.empty();
+  look_at(known ? piece.motion : motion_of(*system_, piece), (t - piece.begin) / piece.length,
+          state);
   if (!piece.closed.empty() || !system_->rods.empty()) {
     looker_.close(piece.closed, piece.resting, piece.touches);
     project_places(looker_, state);

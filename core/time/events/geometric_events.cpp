@@ -125,12 +125,13 @@ void GeometricEvents::search(const EventFunction& f, Search& result) const {
   result.first->function.arming = found.arming;
 }
 
+bool GeometricEvents::watches() const { return !functions_.empty() || box_count(*system_) > 1; }
+
 GeometricEvents::Search GeometricEvents::first(const DenseStep& motion,
                                                double length,
                                                const std::vector<TwistRange>& range) {
   Search result;
-  // A body that is alone in the world, as a pendulum, meets nobody.
-  if (functions_.empty() && box_count(*system_) < 2) return result;
+  if (!watches()) return result;
   view_.set(motion, length, range);
   for (const EventFunction& f : functions_)
     search(f, result);

@@ -210,7 +210,15 @@ void SmoothPhase::complete(double length) {
   evaluate(step_.y, step_.rate);
   end_push_ = equations_.pushed();
   step_.loads = seen_;
+  step_.elapsed = step_.length = length;
+  step_.motion.coefficients.clear();
+  if (!watched_) return;
   method_.dense(field, y_, step_.rate, step_.motion);
+  note_range();
+}
+
+/// Accelerations over all stages and at the end.
+void SmoothPhase::note_range() {
   step_.range.resize(start_.size());
   for (int i = 0; i < static_cast<int>(start_.size()); ++i) {
     TwistRange& range = step_.range[i];
@@ -221,7 +229,6 @@ void SmoothPhase::complete(double length) {
       range.high = {range.high.linear.cwiseMax(a.linear), std::max(range.high.angular, a.angular)};
     }
   }
-  step_.elapsed = step_.length = length;
 }
 
 void SmoothPhase::cut(double length) {
@@ -282,6 +289,27 @@ void SmoothPhase::loads_at(const State& state, std::vector<double>& loads) {
   pack(state, y);
   equations_(y, rate);
   equations_.find_loads(loads);
+}
+
+DenseStep motion_of(const System& system, const MotionPiece& piece) {
+  EquationsOfMotion equations(system);
+  equations.close({piece.closed, piece.touches}, piece.resting);
+  Dop853 method;
+  std::vector<double> y;
+  std::vector<double> rate;
+  pack(piece.start, y);
+  equations(y, rate);
+  method.step(equations, y, rate, piece.length);
+  State end = piece.start;
+  unpack(method.next(), end);
+  equations.project(end);
+  equations.keep_momenta(piece.start, piece.length, end);
+  std::vector<double> y_end;
+  pack(end, y_end);
+  equations(y_end, rate);
+  DenseStep motion;
+  method.dense(equations, y, rate, motion);
+  return motion;
 }
 
 }  // namespace wuerfel

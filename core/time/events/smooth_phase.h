@@ -22,10 +22,10 @@ struct LoadRange {
 
 /// A step, which may have been cut short after `elapsed`.
 struct SmoothStep {
-  double elapsed = 0.0;  ///< s
-  double length = 0.0;   ///< s, of the polynomial
-  DenseStep motion;
-  std::vector<TwistRange> range;      ///< of accelerations, one per cube
+  double elapsed = 0.0;               ///< s
+  double length = 0.0;                ///< s, of the polynomial
+  DenseStep motion;                   ///< where the phase is watched
+  std::vector<TwistRange> range;      ///< of accelerations, one per cube; likewise
   std::vector<LoadRange> load_range;  ///< one per load
   State end;                          ///< after `elapsed`, on the contacts
   std::vector<double> y;              ///< the same, packed
@@ -100,6 +100,8 @@ class SmoothPhase {
   /// The closed contacts, as they are at the last state that was asked for.
   [[nodiscard]] ContactSet closed() const { return {equations_.contacts(), equations_.touches()}; }
 
+  /// Whether somebody looks into steps while they are taken; else they have no polynomial (motion_of makes it).
+  void set_watched(bool watched) { watched_ = watched; }
   /// Takes a step of at most `most` s.
   const SmoothStep& step(double most);
   [[nodiscard]] const SmoothStep& last() const { return step_; }
@@ -127,6 +129,7 @@ class SmoothPhase {
   void fall(double most);
   void integrate(double most);
   void complete(double length);
+  void note_range();
   [[nodiscard]] State shifted(State state, double time) const;
 
   const System* system_;
@@ -144,7 +147,11 @@ class SmoothPhase {
   SmoothStep step_;
   double proposed_ = 0.0;  ///< s, length of the next step
   bool parabolas_ = true;
+  bool watched_ = true;
   double fall_ = 0.0;  ///< s, of the next free fall
 };
+
+/// The polynomial of a smooth piece that has none: its step again.
+DenseStep motion_of(const System& system, const MotionPiece& piece);
 
 }  // namespace wuerfel

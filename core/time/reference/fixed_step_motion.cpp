@@ -12,6 +12,8 @@
 namespace wuerfel {
 namespace {
 
+/// What Moreau's steps may gain, as a share of what was in motion and was lost.
+constexpr double gained_share = 0.1;
 /// Share of a step within which a time counts as a grid time.
 constexpr double same_time = 1e-9;
 
@@ -24,6 +26,8 @@ FixedStepMotion::FixedStepMotion(const System& system,
       settings_(settings),
       method_(make_method()),
       scales_(scales_of(system, start)),
+      energy_start_(energy(system, start)),
+      in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
       momentum_(momentum_scale(system, start, scales_.speed)) {
   begin(start);
 }
@@ -36,6 +40,8 @@ FixedStepMotion::FixedStepMotion(const System& system,
       settings_(settings),
       method_(make_method()),
       scales_(scales_of(system, start)),
+      energy_start_(energy(system, start)),
+      in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
       momentum_(point.momentum),
       hash_(point.hash),
       book_(point.book),
@@ -93,6 +99,16 @@ void FixedStepMotion::step() {
   note_unexplained(momentum_, book_);
   hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
+  if (policy_of(settings_).method == MotionPolicy::Method::moreau) note_energy();
+}
+
+/// Moreau's steps lose energy by themselves and gain none but by their order: what gains more is wrong.
+void FixedStepMotion::note_energy() {
+  const double gained = energy(*system_, grid_.state) + book_.audit.impact_loss - energy_start_;
+  const double budget = gained_share * (in_motion_ + book_.audit.impact_loss);
+  if (gained <= budget || book_.audit.drift_budget > 0.0) return;
+  book_.audit.drift_budget = budget;
+  book_.breaches.push_back({Promise::energy, grid_.t, {}});
 }
 
 const State& FixedStepMotion::state() {

@@ -5,13 +5,14 @@
 #include <limits>
 
 #include "core/time/policy.h"
+#include "core/time/promises.h"
 
 namespace wuerfel {
 namespace {
 
-/// Steps are halved where the error is more, where energy rises by more than this share of what the
-/// group has in motion, or where overlap is left, but not below a sixteenth; what still overlaps
-/// then stops short.
+/// Steps are halved where the error is more, where rods miss their lengths, where energy rises by more than this share of
+/// what the group has in motion, or where overlap is left, but not below a sixteenth; what still overlaps then stops
+/// short.
 constexpr double rise_share = 1e-4;
 /// What of that nothing can pay for is to be no more than this share of it.
 constexpr double unpaid_share = 1e-4;
@@ -88,7 +89,8 @@ Step ControlledStepping::take_step(double t, double& h) {
     Step step = stepper_.step(state_, t, h);
     step.book.cost = sum_of(step.book.cost, tried);
     const bool clean = step.overlap <= overlap_share;
-    if (clean && (is_exact(step) || h <= shortest)) return step;
+    const bool kept = step.book.audit.max_rod_error <= promised_rod_error;
+    if (clean && ((kept && is_exact(step)) || h <= shortest)) return step;
     if (h <= shortest) {
       step = stepper_.stop_short(std::move(step), t);
       ++step.book.audit.unresolved;
