@@ -158,7 +158,7 @@ void add_legend(const FrameParts& parts) {
   LegendRow measured(parts, LegendRow::Pass::measuring);
   add_entries(parts, measured);
   measured.paint_plate();
-  LegendRow row(parts, LegendRow::Pass::painting);
+  LegendRow row(parts, LegendRow::Pass::painting, measured.rows());
   add_entries(parts, row);
 }
 

@@ -31,7 +31,7 @@ class WhiskerPen {
 
   void paint(double width, Color color) const {
     stroke(at_.least, at_.most, width, color);
-    bar(at_.least, width, color);
+    if (at_.least != at_.most) bar(at_.least, width, color);
     if (!at_.goes_on) return bar(at_.most, width, color);
     const float size = parts_.weight(chevron);
     for (const float side : {-1.0F, 1.0F})

@@ -101,27 +101,39 @@ void HudText::paint() {
     parts_.list.texts.push_back(std::move(text));
 }
 
-LegendRow::LegendRow(const FrameParts& parts, Pass pass)
+LegendRow::LegendRow(const FrameParts& parts, Pass pass, int rows)
     : parts_(parts),
       pass_(pass),
       size_(parts.style.text_size * parts.unit),
       x_(hud_margin * parts.unit),
-      baseline_(parts.view.height - hud_margin * parts.unit) {}
+      baseline_(parts.view.height - hud_margin * parts.unit - (rows - 1) * line_height * size_),
+      right_(x_) {}
 
 float LegendRow::middle() const { return static_cast<float>(baseline_ - 0.36 * size_); }
 
 void LegendRow::paint_plate() const {
   const double left = hud_margin * parts_.unit;
-  const double right = x_ - legend_gap * parts_.unit;
-  if (right > left)
-    add_plate(parts_, {left, baseline_ - 0.76 * size_, right, baseline_ + 0.2 * size_});
+  const double bottom = parts_.view.height - hud_margin * parts_.unit;
+  if (right_ > left)
+    add_plate(parts_,
+              {left, bottom - (0.76 + row_ * line_height) * size_, right_, bottom + 0.2 * size_});
 }
 
 template <typename Draw>
 void LegendRow::entry(double symbol, std::string_view label, const Draw& draw) {
-  const double after = x_ + symbol + label_gap * parts_.unit;
+  // The foot of a strip has room for one.
+  const bool second = row_ == 0 && baseline_ - (0.76 + line_height) * size_ > 0.0;
   const double width = parts_.font.width(label, size_);
-  if (after + width > parts_.view.width - hud_margin * parts_.unit) return;
+  const double wanted = symbol + label_gap * parts_.unit + width;
+  const double end = parts_.view.width - hud_margin * parts_.unit;
+  if (x_ + wanted > end) {
+    const double start = hud_margin * parts_.unit;
+    if (!second || start + wanted > end) return;
+    ++row_;
+    x_ = start;
+    baseline_ += line_height * size_;
+  }
+  const double after = x_ + wanted - width;
   if (pass_ == Pass::painting) {
     draw(static_cast<float>(x_), static_cast<float>(x_ + symbol));
     TextShape text;
@@ -131,6 +143,7 @@ void LegendRow::entry(double symbol, std::string_view label, const Draw& draw) {
     text.color = parts_.style.quiet_ink;
     parts_.list.texts.push_back(std::move(text));
   }
+  right_ = std::max(right_, after + width);
   x_ = after + width + legend_gap * parts_.unit;
 }
 

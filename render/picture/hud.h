@@ -38,12 +38,13 @@ struct ArrowMarks {
   bool cut = false;
 };
 
-/// A row of symbols with labels, from left to right. What has no room is left out. It is gone through
-/// twice: measured, so that the plate is as wide as the row, and painted.
+/// A row of symbols with labels, from left to right, or two; what has no room then is left out. It is
+/// gone through twice: measured, so that the plate is as large as the rows, and painted.
 class LegendRow {
  public:
   enum class Pass { measuring, painting };
-  LegendRow(const FrameParts& parts, Pass pass);
+  LegendRow(const FrameParts& parts, Pass pass, int rows = 1);
+  [[nodiscard]] int rows() const { return row_ + 1; }
 
   void scale_bar();
   /// An arrow of a round number of units.
@@ -75,7 +76,9 @@ class LegendRow {
   Pass pass_;
   double size_;
   double x_;
-  double baseline_;
+  double baseline_;  ///< of the row at hand
+  double right_;     ///< where the longest row ends
+  int row_ = 0;
 };
 
 /// The scale of the bodies' colours where they are numbers.
