@@ -8,6 +8,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/sweep/digest.h"
+#include "core/scene/json_string.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
@@ -58,13 +59,18 @@ std::string split_of(const Sweep& sweep, const Case& one) {
   return sweep.split.shares.front().first;  // by rounding
 }
 
-std::string line_of(const Sweep& sweep, const Case& one) {
+std::string values_json(const Sweep& sweep, const Case& one) {
   std::string values;
-  for (std::size_t v = 0; v < one.values.size(); ++v)
-    values += fmt::format("{}{}:{}", v > 0 ? "," : "", Json(sweep.variables[v].key).dump(),
-                          one.values[v]);
-  return fmt::format(R"({{"case":{},"id":"{}","split":"{}","values":{{{}}}}})", one.number, one.id,
-                     one.split, values);
+  for (std::size_t v = 0; v < one.values.size(); ++v) {
+    values += v == 0 ? '{' : ',';
+    values += json_string(sweep.variables[v].key) + ':' + one.values[v];
+  }
+  return values + '}';
+}
+
+std::string line_of(const Sweep& sweep, const Case& one) {
+  return fmt::format(R"({{"case":{},"id":"{}","split":"{}","values":{}}})", one.number, one.id,
+                     one.split, values_json(sweep, one));
 }
 
 Case case_of(const Sweep& sweep, std::string_view line) {

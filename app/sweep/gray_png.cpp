@@ -4,6 +4,8 @@
 #include <string_view>
 #include <zlib.h>
 
+#include "app/sweep/digest.h"
+
 namespace wuerfel {
 
 namespace {
@@ -18,8 +20,7 @@ void put_chunk(std::string& png, std::string_view type, std::string_view content
   put(png, static_cast<std::uint32_t>(content.size()));
   const std::string body = std::string(type) + std::string(content);
   png += body;
-  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
-  put(png, static_cast<std::uint32_t>(sum));
+  put(png, crc32_of(body));
 }
 
 std::string header(const NumberImage& image, int bits) {
