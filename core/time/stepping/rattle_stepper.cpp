@@ -24,7 +24,8 @@ constexpr double pressed_share =
 /// this share of what the first one left.
 constexpr double jammed_share = 1e-10;
 constexpr double still_missed = 0.5;
-constexpr int most_bends = 4;  ///< placements that follow the first one where rods hold
+constexpr double held_share = 1e-9;  ///< gaps up to here stay what they are where sides rub
+constexpr int most_bends = 4;        ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
@@ -128,12 +129,13 @@ IslandSolution RattleStepper::apart(const Island& island,
                                     Bookkeeping& book) {
   Restricted part = removal_.apart(island);
   if (rubs(*system_, island)) {
-    // Gaps are not opened against friction: staying put is to be possible, or there may be no solution (a cube in a
-    // corner that rubs).
+    // Gaps are neither opened nor closed against friction where bodies touch: staying put is to be possible, or there
+    // may be no solution (a cube in a corner that rubs).
     for (std::size_t k = 0; k < part.margins.size(); ++k) {
       const Contact start =
           at_poses(*system_, removal_.near().start_boxes(), part.island.contacts[k]);
-      part.margins[k] = std::min(part.margins[k], start.gap);
+      const bool touches = start.gap < held_share * contact_scale(*system_, start);
+      part.margins[k] = touches ? start.gap : std::min(part.margins[k], start.gap);
     }
     IslandSolution solution = work_.friction.placement(stride_.start, with_margins(part), targets);
     keep_book(solution, book);
