@@ -202,6 +202,17 @@ verdicts = ["falls"]
             verdicts = [row["verdict"] for row in csv.DictReader(file)]
         self.assertEqual((verdicts.count("stands"), verdicts.count("falls")), (10, 5))
 
+    def test_a_balanced_sweep_of_another_number_keeps_its_proportions_and_cases(self):
+        text = SWEEP.replace("cases = 24", "") + "[balance]\nstands = 10\nfalls = 5\n"
+        self.plan(text, "all")
+        self.plan(text, "few", "--cases", "7")
+        self.expect(0, "sweep", "run", "few")
+        self.merged("few", "data")
+        with open(self.path("data/labels.csv")) as file:
+            verdicts = [row["verdict"] for row in csv.DictReader(file)]
+        self.assertEqual((verdicts.count("stands"), verdicts.count("falls")), (5, 2))
+        self.assertLessEqual({case["id"] for case in self.manifest("few")}, {case["id"] for case in self.manifest("all")})
+
     def test_a_dry_run_writes_nothing(self):
         done = self.expect(0, "sweep", "plan", self.sweep(), "--dry-run")
         self.assertIn("24 cases", done.stderr)

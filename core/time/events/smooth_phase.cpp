@@ -129,7 +129,7 @@ void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& ra
   step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
                                          -std::numeric_limits<double>::infinity()});
   for (std::size_t k = 0; k < seen_.size(); ++k) {
-    LoadRange& range = step_.load_range[k];
+    BorneRange& range = step_.load_range[k];
     range = {std::min(range.low, seen_[k]), std::max(range.high, seen_[k])};
   }
 }

@@ -15,23 +15,23 @@ namespace wuerfel {
 
 /// What the contacts of a phase bear (find_loads) over all evaluations of a step, and the other
 /// functions that must stay positive.
-struct LoadRange {
+struct BorneRange {
   double low = 0.0;  ///< N
   double high = 0.0;
 };
 
 /// A step, which may have been cut short after `elapsed`.
 struct SmoothStep {
-  double elapsed = 0.0;               ///< s
-  double length = 0.0;                ///< s, of the polynomial
-  DenseStep motion;                   ///< where the phase is watched
-  std::vector<TwistRange> range;      ///< of accelerations, one per cube; likewise
-  std::vector<LoadRange> load_range;  ///< one per load
-  State end;                          ///< after `elapsed`, on the contacts
-  std::vector<double> y;              ///< the same, packed
-  std::vector<double> rate;           ///< and its rate
-  std::vector<double> loads;          ///< N, there
-  Push push;                          ///< by fixed bodies, in the step
+  double elapsed = 0.0;                ///< s
+  double length = 0.0;                 ///< s, of the polynomial
+  DenseStep motion;                    ///< where the phase is watched
+  std::vector<TwistRange> range;       ///< of accelerations, one per cube; likewise
+  std::vector<BorneRange> load_range;  ///< one per load
+  State end;                           ///< after `elapsed`, on the contacts
+  std::vector<double> y;               ///< the same, packed
+  std::vector<double> rate;            ///< and its rate
+  std::vector<double> loads;           ///< N, there
+  Push push;                           ///< by fixed bodies, in the step
   State flown;  ///< its end before it was put on contacts with fixed bodies; empty: it was not
   /// Whether the error is small enough; else the contacts' rows nearly depend on one another, and
   /// accelerations are no smooth function any more.

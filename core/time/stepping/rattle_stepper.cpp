@@ -20,12 +20,12 @@ namespace {
 // Shares of the smaller side of a pair.
 constexpr double pressed_share =
     1e-3;  ///< contacts that were pressed take part in the velocity program up to here
+constexpr double held_share = 1e-9;  ///< gaps up to here stay what they are where sides rub
 /// Rods may contradict each other that a placement leaves farther off their lengths than this share of them, and than
 /// this share of what the first one left.
 constexpr double jammed_share = 1e-10;
 constexpr double still_missed = 0.5;
-constexpr double held_share = 1e-9;  ///< gaps up to here stay what they are where sides rub
-constexpr int most_bends = 4;        ///< placements that follow the first one where rods hold
+constexpr int most_bends = 4;  ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
