@@ -205,32 +205,43 @@ PartMotions::PartMotions(const StillScene& still,
     }
     parts_.push_back(std::move(places));
   }
+  std::vector<std::vector<int>> rows_of(island.cubes.size());  // by place
+  std::vector<int> rods;
+  for (int row = 0; row < generators.program.rows(); ++row) {
+    if (generators.share[row].contact < 0) {
+      rods.push_back(row);
+      continue;
+    }
+    for (int e = generators.program.row_start[row]; e < generators.program.row_start[row + 1]; ++e)
+      rows_of[generators.program.entry_block[e]].push_back(row);
+  }
   // Of large piles the smallest parts alone: all of them would grow as the square of the pile.
   const bool large = island.cubes.size() > many_cubes;
   for (int part = 0; part < static_cast<int>(parts_.size()); ++part)
-    if (!large || parts_[part].size() <= few_cubes) add_of_part(part, generators);
+    if (!large || parts_[part].size() <= few_cubes) add_of_part(part, generators, rows_of, rods);
 }
 
 /// About every contact that holds the part, both ways, and to both sides.
-void PartMotions::add_of_part(int part, const Generators& generators) {
+void PartMotions::add_of_part(int part,
+                              const Generators& generators,
+                              const std::vector<std::vector<int>>& rows_of,
+                              const std::vector<int>& rods) {
   const auto inside = [&](int body) {
     const auto at = std::ranges::lower_bound(island_->cubes, body);
     return at != island_->cubes.end() && *at == body
            && has(parts_[part], static_cast<int>(at - island_->cubes.begin()));
   };
-  std::vector<int> rows;
+  std::vector<int> rows = rods;
   std::vector<int> held;
-  for (int row = 0; row < generators.program.rows(); ++row) {
-    const int contact = generators.share[row].contact;
-    if (contact < 0) {
-      rows.push_back(row);
-      continue;
+  for (const int place : parts_[part]) {
+    for (const int row : rows_of[place]) {
+      const Contact& c = island_->contacts[generators.share[row].contact];
+      if (inside(c.on) != inside(c.from)) rows.push_back(row);
     }
-    const Contact& c = island_->contacts[contact];
-    if (inside(c.on) == inside(c.from)) continue;
-    rows.push_back(row);
-    add_once(contact, held);
   }
+  std::ranges::sort(rows);
+  for (const int row : rows)
+    if (generators.share[row].contact >= 0) add_once(generators.share[row].contact, held);
   for (const double sense : {1.0, -1.0}) {
     for (const int k : held)
       add({part, island_->contacts[k].point, {Vec2::Zero(), sense}}, rows, generators.program);

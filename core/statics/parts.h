@@ -65,7 +65,11 @@ class PartMotions {
     Vec2 center = Vec2::Zero();  ///< m, where `twist` is that of the part
     Twist twist;
   };
-  void add_of_part(int part, const Generators& generators);
+  /// `rows_of`: of contacts, per place of a cube; `rods`: the other rows.
+  void add_of_part(int part,
+                   const Generators& generators,
+                   const std::vector<std::vector<int>>& rows_of,
+                   const std::vector<int>& rods);
   void add(const Motion& motion, const std::vector<int>& rows, const QuadraticProgram& program);
   [[nodiscard]] Twist of_cube(const Motion& motion, int place) const;
   [[nodiscard]] double power(const Motion& motion, const Load& load) const;

@@ -1,7 +1,8 @@
 #include "core/time/shown_joints.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "core/time/shown_ranges.h"
@@ -61,6 +62,20 @@ std::optional<SnapshotRange> range_of(const ForceRanges& ranges, const SnapshotJ
   return face == ranges.interfaces.end() ? std::nullopt : shown_range(face->force_range);
 }
 
+/// Per contact the first one between the same two bodies.
+std::vector<int> first_of_pairs(std::span<const Contact> contacts) {
+  const auto pair = [&](int k) { return std::minmax(contacts[k].on, contacts[k].from); };
+  std::vector<int> order(contacts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int k) { return std::pair<int, int>(pair(k)); });
+  std::vector<int> first(contacts.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && pair(order[i]) == pair(order[i - 1]);
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
 /// Points have no faces: their forces are shown contact by contact.
 bool rests_on_point(const System& system, const SnapshotJoint& joint) {
   return system.body(joint.body).kind == BodyKind::point
@@ -88,14 +103,15 @@ void add_joints(const System& system,
                 const IslandForces& of,
                 const ForceRanges& ranges,
                 std::vector<SnapshotJoint>& joints) {
-  std::map<std::pair<int, int>, int> number;
+  const std::vector<int> first = first_of_pairs(of.island.contacts);
   std::vector<Growing> growing;
-  for (int k = 0; k < std::ssize(of.island.contacts); ++k) {
-    const Contact& c = of.island.contacts[k];
-    const auto [entry, is_new] =
-        number.emplace(std::minmax(c.on, c.from), static_cast<int>(growing.size()));
-    if (is_new) growing.push_back(start(system, c));
-    include(of, k, growing[entry->second]);
+  std::vector<int> place(first.size());
+  for (int k = 0; k < std::ssize(first); ++k) {
+    if (first[k] == k) {
+      place[k] = static_cast<int>(growing.size());
+      growing.push_back(start(system, of.island.contacts[k]));
+    }
+    include(of, k, growing[place[first[k]]]);
   }
   const double least = least_pressing(of.forces);
   for (const Growing& joint : growing) {
