@@ -37,6 +37,13 @@ struct SnapshotPlane {
   Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid
 };
 
+/// What a force can be, over all forces that give the bodies the accelerations they have.
+struct SnapshotRange {
+  double least = 0.0;  ///< N
+  double most = 0.0;   ///< N; infinite where there is no limit
+  bool operator==(const SnapshotRange&) const = default;
+};
+
 /// A force arrow: starts at `point`, shows `force`.
 struct SnapshotForce {
   Vec2 point = Vec2::Zero();  ///< m
@@ -46,6 +53,7 @@ struct SnapshotForce {
   /// towards it, so that forces on neighbours at one point don't hide each other.
   int body = -1;
   bool unique = true;  ///< no other force is possible there; known where it is asked for
+  std::optional<SnapshotRange> range{};  ///< of the force across the side; as with `unique`
   bool operator==(const SnapshotForce&) const = default;
 };
 
@@ -60,6 +68,7 @@ struct SnapshotJoint {
   Vec2 normal = Vec2::UnitY();  ///< unit vector into `body`
   Vec2 force = Vec2::Zero();    ///< N
   bool unique = true;           ///< no other resultant is possible; known where it is asked for
+  std::optional<SnapshotRange> range{};  ///< of its part along the normal; as with `unique`
   bool operator==(const SnapshotJoint&) const = default;
 };
 
@@ -138,6 +147,9 @@ struct SnapshotRequest {
   bool forces = false;
   bool joints = false;
   bool unique = false;  ///< whether forces and joints are the only possible ones
+  bool ranges = false;  ///< and what else they could be, where nothing moves; with `unique`
+  bool causes = false;
+  bool mechanism = false;
   bool accelerations = false;
   bool rods = false;
   bool rod_forces = false;
@@ -153,7 +165,26 @@ struct SnapshotTrail {
   std::vector<Vec2> path;  ///< m
 };
 
-/// Why a scene falls and what would help, to be marked and told in a picture.
+/// A part that fails by itself: it would fall whatever the rest does if all were held still and let
+/// go.
+struct SnapshotCause {
+  std::vector<int> part{};       ///< indices into Snapshot::boxes
+  std::optional<Vec2> centre{};  ///< m, its centre of mass
+  std::optional<Vec2> corner{};  ///< m, that it tips over
+  Vec2 beside = Vec2::Zero();    ///< m, at the corner's height below the centre; of one that tips
+  double outside = 0.0;          ///< m, how far that is beside the support; likewise
+  bool operator==(const SnapshotCause&) const = default;
+};
+
+/// How a cube takes part in the motion that proves that nothing holds it.
+struct SnapshotMotion {
+  int box = -1;             ///< index into Snapshot::boxes
+  Vec2 way = Vec2::Zero();  ///< m, of its centre, where the corner that moves most moves by one
+  double turn = 0.0;        ///< rad, likewise
+  bool operator==(const SnapshotMotion&) const = default;
+};
+
+/// Why a scene stands or falls, in words, and what would help.
 struct SnapshotReason {
   /// What a change of the scene that makes it stand looks like.
   struct Fix {
@@ -163,19 +194,9 @@ struct SnapshotReason {
     Vec2 force = Vec2::Zero();  ///< N
     std::string label;
   };
-  /// A cube that takes part in a motion.
-  struct Motion {
-    int box = -1;             ///< index into Snapshot::boxes
-    Vec2 way = Vec2::Zero();  ///< relative to the one that moves most
-  };
   std::vector<std::string> headlines;  ///< what fails
   std::vector<std::string> advice;     ///< what would help
-  std::vector<int> part;               ///< what fails: indices into Snapshot::boxes
-  std::optional<Vec2> centre;          ///< m, its centre of mass
-  std::optional<Vec2> corner;          ///< m, that it tips over
-  std::optional<Vec2> beside;          ///< m, at the corner's height below the centre
-  std::string label;                   ///< how far that is beside the support
-  std::vector<Motion> motion;          ///< where no part fails alone
+  std::string outside;                 ///< SnapshotCause::outside in words
   std::vector<Fix> fixes;
 };
 
@@ -200,7 +221,9 @@ struct Snapshot {
   std::vector<SnapshotContact> contacts;  ///< filled only when asked for
   std::vector<SnapshotSide> sides;        ///< filled only when asked for
   std::vector<SnapshotTrail> trails;      ///< filled only when asked for
-  std::optional<SnapshotReason> reason;   ///< filled only when asked for
+  std::vector<SnapshotCause> causes;      ///< filled only when asked for
+  std::vector<SnapshotMotion> mechanism;  ///< filled only when asked for
+  std::optional<SnapshotReason> reason;   ///< filled by figures
 };
 
 }  // namespace wuerfel

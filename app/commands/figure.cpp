@@ -83,6 +83,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const Scene scene = read_scene(asked.scene);
   note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
   note_letters(scene, asked.still.picture.layers, notes);
+  note_crowd(scene, asked.still.picture.layers, notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
   if (asked.until) still_options.end = asked.until;

@@ -65,6 +65,14 @@ void note_what_is_left_out(const Options& options,
                   to_string(integrator)));
 }
 
+void note_crowd(const Scene& scene, Layers layers, Notes& notes) {
+  if (layers.has(Layer::whiskers) && std::ssize(scene.cubes) >= crowd)
+    notes.add(
+        fmt::format("from {} cubes on the layer whiskers shows nothing: it is not asked what "
+                    "else forces could be",
+                    crowd));
+}
+
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes) {
   const auto without = [&](Layer layer, const char* name) {
     if (!layers.has(layer))
@@ -77,6 +85,9 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
   without(Layer::accelerations, "--acceleration-scale");
   without(Layer::velocities, "--velocity-scale");
   without(Layer::rod_forces, "--rod-scale");
+  if (layers.has(Layer::whiskers) && !layers.has(Layer::forces)
+      && !layers.has(Layer::contact_forces))
+    notes.add("the layer whiskers shows nothing without forces or contact-forces");
 }
 
 }  // namespace wuerfel

@@ -26,6 +26,9 @@ void note_what_is_left_out(const Options& options,
 /// A chosen solver that is not asked where bodies rub or bounce: Coulomb's law has its own.
 void note_idle_solver(const Options& options, const Scene& scene, Notes& notes);
 
+/// Layers that have nothing to show of so many cubes.
+void note_crowd(const Scene& scene, Layers layers, Notes& notes);
+
 /// Picture options of layers that are not drawn.
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);
 

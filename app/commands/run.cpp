@@ -196,6 +196,7 @@ Answer answer(const RunOptions& asked,
     throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
   const RunOptions suited = with_rate_of_gif(asked, options, notes);
   if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
+  if (!asked.outputs.empty()) note_crowd(scene, asked.picture.layers, notes);
   return run({suited, scene, make_plan(suited, scene), since_start}, form, notes);
 }
 

@@ -25,6 +25,10 @@ bool draws_forces(Layers layers) {
          || layers.has(Layer::weights);
 }
 
+bool marks_reasons(Layers layers) {
+  return layers.has(Layer::causes) || layers.has(Layer::mechanism);
+}
+
 // Everything from the first frame to the last, arrows too.
 Bounds bounds_of(const PictureOptions& options, const Recording& motion) {
   const bool arrows = draws_forces(options.layers) && options.force_scale;
@@ -114,7 +118,7 @@ bool needs_whole_motion(const PictureOptions& options) {
   const Layers layers = options.layers;
   const bool scaled = options.color_by == ColorBy::load || options.color_by == ColorBy::speed;
   return options.camera.kind == Camera::Kind::fit || (draws_forces(layers) && !options.force_scale)
-         || (draws_forces(layers) && !options.legend)
+         || ((draws_forces(layers) || marks_reasons(layers)) && !options.legend)
          || (layers.has(Layer::velocities) && !options.velocity_scale)
          || (layers.has(Layer::accelerations) && !options.acceleration_scale)
          || (layers.has(Layer::rod_forces) && !options.rod_scale) || (scaled && !options.color_top);
@@ -122,8 +126,8 @@ bool needs_whole_motion(const PictureOptions& options) {
 
 bool needs_every_force(const PictureOptions& options) {
   const Layers layers = options.layers;
-  return options.explode > 0.0 || layers.has(Layer::contact_forces) || layers.has(Layer::rod_forces)
-         || layers.has(Layer::accelerations)
+  return options.explode > 0.0 || layers.has(Layer::mechanism) || layers.has(Layer::contact_forces)
+         || layers.has(Layer::rod_forces) || layers.has(Layer::accelerations)
          || (layers.has(Layer::velocities) && layers.has(Layer::symbols));
 }
 
@@ -202,6 +206,7 @@ FrameOptions frame_options(const PictureOptions& fitted) {
   frame.coloring = {fitted.color_by.value_or(ColorBy::body), fitted.color_top.value_or(0.0)};
   frame.legend = fitted.legend.value_or(frame.legend);
   frame.explode = fitted.explode;
+  frame.foot_lines = fitted.foot_lines;
   frame.interval = fitted.average.value_or(0.0);
   return frame;
 }
@@ -238,9 +243,13 @@ SnapshotRequest snapshot_request(const PictureOptions& options, std::size_t cube
   const bool joints = layers.has(Layer::forces) || layers.has(Layer::joints)
                       || layers.has(Layer::thrust) || by == ColorBy::load || by == ColorBy::island;
   const bool forces = layers.has(Layer::contact_forces);
+  const bool unique = (forces || layers.has(Layer::forces)) && cubes < crowd;
   return {.forces = forces,
           .joints = joints,
-          .unique = (forces || layers.has(Layer::forces)) && cubes < crowd,
+          .unique = unique,
+          .ranges = unique && layers.has(Layer::whiskers),
+          .causes = layers.has(Layer::causes),
+          .mechanism = layers.has(Layer::mechanism),
           .accelerations = layers.has(Layer::accelerations),
           .rods = layers.has(Layer::rods) || layers.has(Layer::rod_forces),
           .rod_forces = layers.has(Layer::rod_forces),

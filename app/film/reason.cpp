@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/statics/carried.h"
+#include "core/time/shown_causes.h"
 
 namespace wuerfel {
 
@@ -14,35 +15,6 @@ std::vector<int> boxes_of(const StillScene& still, const std::vector<int>& bodie
   for (const int body : bodies)
     if (still.system.body(body).kind == BodyKind::cube) boxes.push_back(body);
   return boxes;
-}
-
-// Below the centre of mass of a part that tips, at the height of its corner along gravity.
-Vec2 beside(const StillScene& still, const Cause& cause) {
-  const Vec2 down = still.down();
-  return cause.part.centre + down.dot(*cause.corner - cause.part.centre) * down;
-}
-
-void mark_cause(const StillScene& still,
-                const Cause& cause,
-                Language language,
-                SnapshotReason& reason) {
-  reason.part = boxes_of(still, cause.part.cubes);
-  reason.centre = cause.part.centre;
-  if (!cause.corner) return;
-  reason.corner = cause.corner;
-  reason.beside = beside(still, cause);
-  reason.label = length_in(language, *cause.outside);
-}
-
-void mark_mechanism(const StillScene& still, const Causes& causes, SnapshotReason& reason) {
-  double largest = 0.0;
-  for (const MovingPart& part : causes.mechanism)
-    for (const int cube : part.cubes)
-      largest = std::max(largest, causes.certificate.motion[cube].linear.norm());
-  if (largest == 0.0) return;
-  for (const MovingPart& part : causes.mechanism)
-    for (const int cube : boxes_of(still, part.cubes))
-      reason.motion.push_back({cube, causes.certificate.motion[cube].linear / largest});
 }
 
 SnapshotReason::Fix mark_fix(const StillScene& still, const Fix& fix, Language language) {
@@ -69,26 +41,31 @@ void mark_fixes(const Explanation& e, Language language, SnapshotReason& reason)
 
 }  // namespace
 
-SnapshotReason picture_reason(const Scene& scene, const Explanation& e, Language language) {
+Layers reason_layers(const Explanation& e) {
+  const bool mechanism = e.check.verdict == Verdict::falls && e.causes.causes.empty();
+  return {mechanism ? Layer::mechanism : Layer::causes};
+}
+
+void add_reason(const Scene& scene, const Explanation& e, Language language, Snapshot& snapshot) {
   constexpr std::size_t most_lines = 2;
-  SnapshotReason reason;
+  SnapshotReason& reason = snapshot.reason.emplace();
   reason.headlines = sentences(scene, e, language);
   if (reason.headlines.size() > most_lines) reason.headlines.resize(most_lines);
-  if (!e.still) return reason;
+  if (!e.still) return;
   if (e.check.verdict == Verdict::falls) {
-    reason.headlines.clear();
     if (!e.causes.causes.empty()) {
-      mark_cause(*e.still, e.causes.causes.front(), language, reason);
-      reason.headlines.push_back(cause_sentence(*e.still, e.causes.causes.front(), language));
+      const Cause& first = e.causes.causes.front();
+      snapshot.causes = {shown_cause(*e.still, first)};
+      if (first.outside) reason.outside = length_in(language, *first.outside);
+      reason.headlines = {cause_sentence(*e.still, first, language)};
     } else {
-      mark_mechanism(*e.still, e.causes, reason);
-      reason.headlines.push_back(say_in(language, Phrase::no_part_alone));
+      snapshot.mechanism = shown_motion(*e.still, e.causes.certificate);
+      reason.headlines = {say_in(language, Phrase::no_part_alone)};
     }
     mark_fixes(e, language, reason);
   } else if (e.weakest) {
-    reason.part = {e.weakest->cube};
+    snapshot.causes = {{.part = {e.weakest->cube}}};
   }
-  return reason;
 }
 
 }  // namespace wuerfel

@@ -64,10 +64,15 @@ void MotionRange::include(const Snapshot& snapshot) {
   gravity = snapshot.gravity.norm();
   largest_load = std::max(largest_load, largest_value(snapshot, ColorBy::load));
   if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
-  for (const SnapshotJoint& joint : snapshot.joints)
+  if (!snapshot.mechanism.empty()) seen.insert(LegendEntry::mechanism);
+  if (!snapshot.causes.empty()) seen.insert(LegendEntry::cause);
+  for (const SnapshotJoint& joint : snapshot.joints) {
     if (!joint.unique) seen.insert(LegendEntry::several);
+    if (joint.range) seen.insert(LegendEntry::range);
+  }
   for (const SnapshotForce& force : snapshot.forces) {
     if (!force.unique) seen.insert(LegendEntry::several);
+    if (force.range) seen.insert(LegendEntry::range);
     if (force.kind == ForceKind::friction) seen.insert(LegendEntry::friction);
   }
 }
@@ -75,7 +80,7 @@ void MotionRange::include(const Snapshot& snapshot) {
 std::size_t Recording::Scenery::bytes() const {
   return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(joints) + bytes_of(impacts)
          + bytes_of(rods) + bytes_of(points) + bytes_of(contacts) + bytes_of(sides)
-         + bytes_of(masses) + bytes_of(links);
+         + bytes_of(masses) + bytes_of(links) + bytes_of(causes) + bytes_of(mechanism);
 }
 
 void Recording::add(Snapshot snapshot) {
@@ -91,7 +96,9 @@ void Recording::add(Snapshot snapshot) {
                   std::move(snapshot.contacts),
                   std::move(snapshot.sides),
                   snapshot.masses,
-                  snapshot.links};
+                  snapshot.links,
+                  std::move(snapshot.causes),
+                  std::move(snapshot.mechanism)};
   scenery.boxes.reserve(snapshot.boxes.size());
   for (const SnapshotBox& box : snapshot.boxes)
     scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin, box.acceleration,
@@ -143,6 +150,8 @@ void Recording::for_each(const std::function<void(const Snapshot&)>& show) const
     snapshot.sides = scenery.sides;
     snapshot.masses = scenery.masses;
     snapshot.links = scenery.links;
+    snapshot.causes = scenery.causes;
+    snapshot.mechanism = scenery.mechanism;
     show(snapshot);
   }
 }

@@ -93,6 +93,8 @@ class Recording {
     std::vector<SnapshotSide> sides;
     std::vector<SnapshotMass> masses;
     std::vector<SnapshotLink> links;
+    std::vector<SnapshotCause> causes;
+    std::vector<SnapshotMotion> mechanism;
     bool operator==(const Scenery&) const = default;
     [[nodiscard]] std::size_t bytes() const;
   };

@@ -85,7 +85,7 @@ MotionSource source_of(const Scene& scene,
   const PictureOptions& picture = options.picture;
   const SnapshotRequest request = snapshot_request(picture, scene.cubes.size());
   SnapshotRequest passing = request;
-  passing.unique = false;
+  passing.unique = passing.ranges = passing.causes = false;
   const LookBack back = look_back(picture, 0.0, options.rate.speed);
   return {scene,
           options.motion,
@@ -95,6 +95,16 @@ MotionSource source_of(const Scene& scene,
           back,
           stop,
           Progress::style_for_stderr(false)};
+}
+
+// What the picture of an explanation marks and tells besides the scene.
+void mark_reason(const Scene& scene, StillOptions& options, Snapshot& extras) {
+  if (!options.why) return;
+  const Explanation explanation = explain(scene, options.motion);
+  for (const Layer layer : {Layer::causes, Layer::mechanism})
+    if (reason_layers(explanation).has(layer)) options.picture.layers.insert(layer);
+  add_reason(scene, explanation, *options.why, extras);
+  options.picture.foot_lines = std::max(1, static_cast<int>(std::ssize(extras.reason->advice)));
 }
 
 // A picture is the frame of a film, and its forces are those of such a frame.
@@ -150,7 +160,11 @@ Cells compose_cells(const Recording& motion,
     Snapshot shown = snapshot;
     shown.trails = trails.paths();
     shown.ghosts = extras.ghosts;
-    shown.reason = extras.reason;
+    if (extras.reason) {
+      shown.reason = extras.reason;
+      shown.causes = extras.causes;
+      shown.mechanism = extras.mechanism;
+    }
     const View view = view_of(fitted, shown);
     cells.lists.push_back(compose_frame(shown, view, style, frame, font));
     cells.hint = hint_at_specks(shown, view);
@@ -232,6 +246,8 @@ Still compose_still(const Scene& scene,
                     const StopSignal& stop,
                     Font& font) {
   StillOptions options = completed(scene, asked);
+  Snapshot extras;
+  mark_reason(scene, options, extras);
   require_possible_steps(options.times.back(), options.motion);
   const std::vector<Instant> instants = instants_of(options, scene);
   const MotionSource source = source_of(scene, options, instants, stop);
@@ -242,16 +258,14 @@ Still compose_still(const Scene& scene,
     if (first.boxes.empty()) first = snapshot;
     motion.add(snapshot);
   });
-  first.ghosts = ghosts_of(scene, options, stop);
+  extras.ghosts = ghosts_of(scene, options, stop);
 
   options.picture.size = size_of(options, motion);
   const auto picture =
       options.strip ? cell_options(options.picture, layout_of(options)) : options.picture;
   PictureOptions fitted = fit_to_motion(picture, motion);
   fitted.legend = legend_of(fitted, range_of_shown(motion, instants));
-  if (options.why)
-    first.reason = picture_reason(scene, explain(scene, options.motion), *options.why);
-  Cells cells = compose_cells(motion, instants, fitted, first, font);
+  Cells cells = compose_cells(motion, instants, fitted, extras, font);
   if (options.picture.camera.kind == Camera::Kind::fit) still.hint = cells.hint;
   for (const DrawList& list : cells.lists)
     still.labels_left_out += list.labels_left_out;

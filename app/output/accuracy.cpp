@@ -30,9 +30,14 @@ std::string text_of(Promise promise, const Audit& audit) {
           audit.max_overlap, promised_overlap);
     case Promise::energy:
       return fmt::format(
-          "energy drifted by {:.2g} J, more than the {:.2g} J that the tolerance promises; try a "
-          "smaller --tolerance",
+          "energy drifted by {:.2g} J, more than the {:.2g} J that are promised; try a smaller "
+          "--tolerance or --step",
           audit.drift(), audit.drift_budget);
+    case Promise::rods:
+      if (audit.rods_contradicting > 0)
+        return "rods contradict each other: no motion keeps all of their lengths";
+      return fmt::format("rods have lost their lengths, by up to {:.2g} of them",
+                         audit.max_rod_error);
     case Promise::momentum:
       return fmt::format(
           "momenta changed by {:.2g} (linear) and {:.2g} (angular) of their size without a reason",

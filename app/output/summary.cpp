@@ -35,6 +35,7 @@ Json audit_json(const Simulation& simulation) {
   const Audit audit = simulation.audit();
   return {{"max_penetration", audit.max_penetration},
           {"max_rod_error", audit.max_rod_error},
+          {"rods_contradicting", audit.rods_contradicting},
           {"max_kkt_residual", audit.max_kkt_residual},
           {"unresolved", audit.unresolved},
           {"searches_given_up", audit.searches_given_up},

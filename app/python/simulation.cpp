@@ -150,6 +150,7 @@ py::dict audit_dict(const Audit& audit) {
   py::dict dict;
   dict["max_penetration"] = audit.max_penetration;
   dict["max_rod_error"] = audit.max_rod_error;
+  dict["rods_contradicting"] = audit.rods_contradicting;
   dict["max_kkt_residual"] = audit.max_kkt_residual;
   dict["energy_start"] = audit.energy_start;
   dict["energy_end"] = audit.energy_end;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
 
@@ -33,6 +34,7 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
   island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
   on_fixed_ = touches_fixed(*system_, contacts);
   held_ = std::ranges::any_of(island_.rods, [&](int k) { return is_held(system_->rods[k]); });
+  hangs_alone_ = contacts.empty() && island_.rods.size() == 1 && island_.cubes.size() == 1;
   laid_out_ = false;
   angles_.clear();
   boxes_.resize(system_->count());
@@ -75,8 +77,33 @@ void ClosedContacts::find_rows(const State& state, bool moved, Order order) {
   laid_out_ = true;
 }
 
+/// A pendulum: one row g x + c = 0, which needs no solver. x = f + M^-1 g nu, twice, so that the row holds to rounding.
+void ClosedContacts::move_on_rod(const State& state, Order order) {
+  const int cube = island_.cubes.front();
+  const Body& body = system_->body(cube);
+  const Rod& rod = system_->rods[island_.rods.front()];
+  const BodyRodRow row = rod_row(rod, state, order);
+  const std::array<double, 3>& g = rod.i.body >= 0 ? row.i : row.j;
+  const double per_mass = 1.0 / body.mass;
+  const std::array<double, 3> ease{per_mass * g[0], per_mass * g[1], g[2] / body.inertia};
+  const double compliance = g[0] * ease[0] + g[1] * ease[1] + g[2] * ease[2];
+  x_.assign(3, 0.0);
+  if (order == Order::velocity)
+    x_ = {state[cube].velocity.x(), state[cube].velocity.y(), state[cube].spin};
+  if (order == Order::acceleration) x_ = {system_->gravity.x(), system_->gravity.y(), 0.0};
+  for (int round = 0; round < 2; ++round) {
+    const double nu = -(g[0] * x_[0] + g[1] * x_[1] + g[2] * x_[2] + row.c) / compliance;
+    for (int k = 0; k < 3; ++k)
+      x_[k] += ease[k] * nu;
+  }
+}
+
 const std::vector<double>& ClosedContacts::nearest(const State& state, Order order) {
   if (none()) return x_;
+  if (hangs_alone_) {
+    move_on_rod(state, order);
+    return x_;
+  }
   const bool moved = pose(state);
   if (rubbing_.any()) {
     rubbing_.solve(*system_, state, island_, order, x_, forces_);

@@ -35,7 +35,8 @@ class ClosedContacts {
   [[nodiscard]] bool on_fixed() const { return on_fixed_; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
   [[nodiscard]] bool redundant() const {
-    return rubbing_.any() ? rubbing_.redundant() : !none() && solver_.dependent_rows() > 0;
+    if (rubbing_.any()) return rubbing_.redundant();
+    return !none() && !hangs_alone_ && solver_.dependent_rows() > 0;
   }
 
   /// Accelerations of all cubes (m/s^2, rad/s^2). Afterwards `contacts` are those at `state`, and
@@ -58,6 +59,7 @@ class ClosedContacts {
   [[nodiscard]] Push felt(const State& state, const Vec2& center) const;
   [[nodiscard]] bool moves(const RodEnd& end) const;
   bool pose(const State& state);
+  void move_on_rod(const State& state, Order order);
   void find_rows(const State& state, bool moved, Order order);
 
   const System* system_;
@@ -66,9 +68,10 @@ class ClosedContacts {
   RubbingContacts rubbing_;
   Island island_;
   std::vector<char> resting_;
-  bool on_fixed_ = false;  ///< a contact is with a fixed body
-  bool held_ = false;      ///< a rod or pin holds a cube to one
-  bool laid_out_ = false;  ///< the builder has a program over `island_`
+  bool on_fixed_ = false;     ///< a contact is with a fixed body
+  bool held_ = false;         ///< a rod or pin holds a cube to one
+  bool hangs_alone_ = false;  ///< one rod, held at its other end, is all that holds one cube
+  bool laid_out_ = false;     ///< the builder has a program over `island_`
   std::vector<Box> boxes_;
   std::vector<double> angles_;  ///< rad, per cube of the island, of its box; empty: not posed yet
   std::vector<double> x_;

@@ -106,7 +106,7 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
     restitution.push_back(rate < -slow ? system_->surface(c.on, c.from).restitution : 0.0);
   }
   ImpactResult result;
-  CoulombSolver& solver = solver_of(island, impacts_);
+  CoulombSolver& solver = solver_of(island, motions_);
   if (std::ranges::all_of(restitution, [](double e) { return e == 0.0; })) {
     solver.solve(builder_.friction_program(), result.solution, keys_of(island));
   } else {
@@ -144,7 +144,7 @@ IslandSolution FrictionDynamics::placement(const State& state,
   builder_.position(state, island, use, targets);
   builder_.add_friction(state, island, use, Order::position);
   CoulombResult result;
-  solver_of(island, placements_).solve(builder_.friction_program(), result, keys_of(island));
+  solver_of(island, motions_).solve(builder_.friction_program(), result, keys_of(island));
   return read(state, island, result);
 }
 

@@ -54,8 +54,7 @@ class FrictionDynamics {
   ProgramBuilder builder_;
   std::unique_ptr<RestProgram> rest_;  ///< made when first needed
   Solvers accelerations_;
-  Solvers impacts_;
-  Solvers placements_;
+  Solvers motions_;  ///< velocities and displacements: what sticks in one does so in the other
 };
 
 }  // namespace wuerfel

@@ -8,6 +8,21 @@
 namespace wuerfel {
 namespace {
 
+bool is_point(const Body& body) { return body.kind == BodyKind::point; }
+
+/// What a body turns by in a rigid motion: points do not.
+double spin_of(const Body& body, const RigidMotion& motion) {
+  return is_point(body) ? 0.0 : motion.spin;
+}
+
+/// Whether a contact or a rod of an island joins it to something fixed.
+bool is_fixed(const System& system, const Island& island) {
+  return std::ranges::any_of(
+             island.contacts,
+             [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); })
+         || std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
+}
+
 /// `for_each_cube(add)` calls add(cube) for every cube that counts.
 template <typename Cubes>
 Momentum sum_momenta(const System& system, const State& state, const Cubes& for_each_cube) {
@@ -23,7 +38,7 @@ Momentum sum_momenta(const System& system, const State& state, const Cubes& for_
     const Body& body = system.body(cube);
     const Vec2 r = state[cube].position - sum.center;
     sum.angular += body.mass * det(r, state[cube].velocity) + body.inertia * state[cube].spin;
-    sum.inertia += body.mass * r.squaredNorm() + body.inertia;
+    sum.inertia += body.mass * r.squaredNorm() + (is_point(body) ? 0.0 : body.inertia);
   });
   return sum;
 }
@@ -42,10 +57,10 @@ Vec2 relative_velocity(const System& system, const State& state, const Contact& 
   return v;
 }
 
-void turn(std::span<const int> cubes, const RigidMotion& more, State& state) {
+void turn(const System& system, std::span<const int> cubes, const RigidMotion& more, State& state) {
   for (const int cube : cubes) {
     state[cube].velocity += more.at(state[cube].position);
-    state[cube].spin += more.spin;
+    state[cube].spin += spin_of(system.body(cube), more);
   }
 }
 
@@ -94,20 +109,44 @@ void keep_turning(const System& system,
   std::vector<Island> islands;
   find_islands(system, contacts, islands);
   for (const Island& island : islands) {
-    const bool fixed =
-        std::ranges::any_of(
-            island.contacts,
-            [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); })
-        || std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
     double change = 0.0;
     for (const int cube : island.cubes) {
       const Vec2 moved = state[cube].position - before[cube].position;
       change += system.body(cube).mass * det(moved, state[cube].velocity);
     }
-    if (fixed || change == 0.0) continue;
+    if (change == 0.0 || is_fixed(system, island)) continue;
     const Momentum sum = momentum_of(system, state, island.cubes);
-    turn(island.cubes, {sum.center, Vec2::Zero(), -change / sum.inertia}, state);
+    turn(system, island.cubes, {sum.center, Vec2::Zero(), -change / sum.inertia}, state);
   }
+}
+
+std::vector<std::vector<int>> flying_groups(const System& system,
+                                            const std::vector<Contact>& contacts,
+                                            std::span<const char> resting) {
+  std::vector<std::vector<int>> groups;
+  if (system.rods.empty()) return groups;
+  std::vector<Island> islands;
+  find_islands(system, contacts, islands);
+  for (Island& island : islands) {
+    const auto rests = [&](int cube) { return !resting.empty() && resting[cube] != 0; };
+    if (island.rods.empty() || is_fixed(system, island) || std::ranges::any_of(island.cubes, rests))
+      continue;
+    groups.push_back(std::move(island.cubes));
+  }
+  return groups;
+}
+
+void keep_momenta(
+    const System& system, std::span<const int> cubes, const State& from, double t, State& state) {
+  const Momentum due = momentum_of(system, from, cubes);
+  const Momentum now = momentum_of(system, state, cubes);
+  const Vec2 v = due.linear / due.mass;
+  const Vec2 center = due.center + t * v + 0.5 * t * t * system.gravity;
+  const Vec2 missed = center - now.center;
+  for (const int cube : cubes)
+    state[cube].position += missed;
+  const Vec2 slower = v + t * system.gravity - now.linear / now.mass;
+  turn(system, cubes, {center, slower, (due.angular - now.angular) / now.inertia}, state);
 }
 
 double energy_of(const System& system, const State& state, std::span<const int> cubes) {
@@ -142,7 +181,8 @@ double scale_to_energy(const System& system,
   for (const int cube : cubes) {
     const Body& body = system.body(cube);
     const BodyState& s = state[cube];
-    rest += kinetic_energy(body, {{}, 0.0, s.velocity - kept.at(s.position), s.spin - kept.spin});
+    rest += kinetic_energy(
+        body, {{}, 0.0, s.velocity - kept.at(s.position), s.spin - spin_of(body, kept)});
   }
   const double missing = goal - energy_of(system, state, cubes);
   if (rest <= 0.0) return missing;
@@ -152,7 +192,8 @@ double scale_to_energy(const System& system,
     BodyState& s = state[cube];
     const Vec2 v = kept.at(s.position);
     s.velocity = v + factor * (s.velocity - v);
-    s.spin = kept.spin + factor * (s.spin - kept.spin);
+    const double spin = spin_of(system.body(cube), kept);
+    s.spin = spin + factor * (s.spin - spin);
   }
   return missing - (square - 1.0) * rest;
 }

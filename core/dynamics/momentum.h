@@ -45,7 +45,7 @@ struct RigidMotion {
 
   [[nodiscard]] Vec2 at(const Vec2& place) const { return velocity + spin * perp(place - center); }
 };
-void turn(std::span<const int> cubes, const RigidMotion& more, State& state);
+void turn(const System& system, std::span<const int> cubes, const RigidMotion& more, State& state);
 
 /// Where cubes were moved from `before` without regard to their velocities, their angular momentum has changed with
 /// their places: each group that these contacts join, and that touches nothing fixed, turns by so much slower as a
@@ -54,6 +54,17 @@ void keep_turning(const System& system,
                   const std::vector<Contact>& contacts,
                   const State& before,
                   State& state);
+
+/// Groups of cubes that rods join, and that nothing fixed holds: neither a rod nor one of these contacts. None of them
+/// rests (`resting`: one per cube, or empty).
+std::vector<std::vector<int>> flying_groups(const System& system,
+                                            const std::vector<Contact>& contacts,
+                                            std::span<const char> resting);
+
+/// Some cubes that gravity alone acted on from outside for t s since `from` get the momenta, and the centre of mass, that
+/// they had then and gravity leads to: moved and turned as a whole, which changes no gap and no length.
+void keep_momenta(
+    const System& system, std::span<const int> cubes, const State& from, double t, State& state);
 
 /// Kinetic and potential energy of some cubes, J.
 double energy_of(const System& system, const State& state, std::span<const int> cubes);

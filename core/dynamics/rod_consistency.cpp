@@ -13,10 +13,11 @@ namespace {
 
 /// Rows contradict each other that are missed by more than this share of the largest acceleration.
 constexpr double missed_share = 1e-6;
+constexpr double surely_missed_share = 1e-4;
 
 enum class Fit { independent, redundant, contradicting };
 
-/// Whether accelerations exist that keep the rods of an island.
+/// Whether accelerations exist that keep the rods of an island without contacts.
 Fit fit(const System& system, const State& state, const Island& island) {
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, {});
@@ -48,29 +49,46 @@ void reduce(const System& system, const State& state, Island& island) {
   }
 }
 
-std::vector<std::string> names_of(const System& system, const Island& island) {
+}  // namespace
+
+std::vector<std::string> rod_names(const System& system, std::span<const int> rods) {
   std::vector<std::string> names;
-  for (const int rod : island.rods) {
+  for (const int rod : rods) {
     const std::string& name = system.rods[rod].name;
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }
 
-}  // namespace
+bool misses_rods(const System& system, const State& state, const State& accelerated) {
+  double scale = system.gravity.norm();
+  double worst = 0.0;
+  for (const Rod& rod : system.rods) {
+    const double c = rod_row(rod, state, Order::acceleration).c;
+    scale = std::max(scale, std::abs(c));
+    worst = std::max(worst, std::abs(rod_change(rod, state, accelerated) + c));
+  }
+  return worst > surely_missed_share * scale;
+}
+
+RodsOfIsland rods_of_island(const System& system, const State& state, const Island& island) {
+  Island rods{island.cubes, {}, {}, island.rods};
+  const Fit fits = fit(system, state, rods);
+  if (fits != Fit::contradicting) return {{}, fits == Fit::redundant};
+  reduce(system, state, rods);
+  return {rods.rods, true};
+}
 
 RodConsistency rod_consistency(const System& system, const State& state) {
   RodConsistency found;
   if (system.rods.empty()) return found;
   std::vector<Island> islands;
   find_islands(system, {}, islands);
-  for (Island& island : islands) {
-    const Fit fits = fit(system, state, island);
-    found.redundant = found.redundant || fits != Fit::independent;
-    if (fits != Fit::contradicting) continue;
-    reduce(system, state, island);
-    found.contradicting = names_of(system, island);
-    return found;
+  for (const Island& island : islands) {
+    const RodsOfIsland rods = rods_of_island(system, state, island);
+    found.redundant = found.redundant || rods.redundant;
+    found.contradicting = rod_names(system, rods.contradicting);
+    if (!found.contradicting.empty()) break;
   }
   return found;
 }

@@ -6,9 +6,25 @@
 #include <string>
 #include <vector>
 
+#include "core/constraints/islands.h"
 #include "core/model/system.h"
 
 namespace wuerfel {
+
+/// How the rods of an island go together.
+struct RodsOfIsland {
+  /// Numbers in System::rods of some that contradict each other, of which none can be left out; empty: none do.
+  std::vector<int> contradicting;
+  bool redundant = false;  ///< whether some depend on the others
+};
+RodsOfIsland rods_of_island(const System& system, const State& state, const Island& island);
+
+/// Whether accelerations (the velocities of `accelerated`) miss what keeps the lengths of rods, by more than where rows
+/// are only nearly dependent, as close to a stretched position that a mechanism passes.
+bool misses_rods(const System& system, const State& state, const State& accelerated);
+
+/// Names of rods and pins, each once.
+std::vector<std::string> rod_names(const System& system, std::span<const int> rods);
 
 struct RodConsistency {
   /// Names of rods and pins that contradict each other, of which none can be left out; empty where there are none.

@@ -81,10 +81,14 @@ double rod_rate(const Rod& rod, const State& state) {
   return direction(rod, i, j).dot(i.v - j.v);
 }
 
+double rod_error(const System& system, const State& state, const Rod& rod) {
+  return std::abs(rod_excess(rod, state)) / rod_scale(system, rod);
+}
+
 double largest_rod_error(const System& system, const State& state) {
   double worst = 0.0;
   for (const Rod& rod : system.rods)
-    worst = std::max(worst, std::abs(rod_excess(rod, state)) / rod_scale(system, rod));
+    worst = std::max(worst, rod_error(system, state, rod));
   return worst;
 }
 

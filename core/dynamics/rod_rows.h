@@ -44,8 +44,10 @@ double rod_excess(const Rod& rod, const State& state);
 double rod_rate(const Rod& rod, const State& state);
 /// How much longer a rod gets, m, to first order, by displacements that are the velocities of `moved`.
 double rod_change(const Rod& rod, const State& place, const State& moved);
-/// Largest relative change of the length of a rod between bodies; of a pin how far its places are apart in parts of the
+/// Relative change of the length of a rod between bodies; of a pin how far its places are apart in parts of the
 /// smaller side of its cubes (of a metre between points).
+double rod_error(const System& system, const State& state, const Rod& rod);
+/// The largest of them.
 double largest_rod_error(const System& system, const State& state);
 
 /// Whether a rod has its length, but for rounding.

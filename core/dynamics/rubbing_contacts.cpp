@@ -11,6 +11,9 @@
 namespace wuerfel {
 namespace {
 
+/// Pivots of independent rows are larger than this share of the largest.
+constexpr double safe_pivot = 1e-3;
+
 /// One row after the other, so that one can be handed on.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -76,7 +79,45 @@ void add(const Island& island,
   on_body(rod.j.body, row.j);
 }
 
-/// lambda of R M^-1 C' lambda = b - R f, with rows and columns of size one; once refined.
+/// Once refined.
+template <class Factors>
+Eigen::VectorXd refined(const Factors& factors,
+                        const Eigen::MatrixXd& matrix,
+                        const Eigen::VectorXd& b) {
+  Eigen::VectorXd x = factors.solve(b);
+  x += factors.solve(b - matrix * x);
+  return x;
+}
+
+/// Of least squares where rows depend on one another. That is asked only where pivots are small: it takes three times as
+/// long.
+Eigen::VectorXd least_solution(const Eigen::MatrixXd& matrix,
+                               const Eigen::VectorXd& b,
+                               bool& redundant) {
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
+  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
+  redundant = false;
+  if (pivots.minCoeff() > safe_pivot * pivots.maxCoeff()) return refined(lu, matrix, b);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(dependent_share);
+  factors.compute(matrix);
+  redundant = factors.rank() < matrix.rows();
+  return refined(factors, matrix, b);
+}
+
+/// R C', of whose rows each knows two cubes at most.
+Eigen::MatrixXd product(const Rows& rows, const Rows& columns) {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(rows.rows(), columns.rows());
+  for (Eigen::Index at = 0; at < rows.cols(); at += 3) {
+    for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+      const Eigen::Vector3d g = rows.row(k).segment<3>(at);
+      if (!g.isZero(0.0)) product.row(k) += columns.middleCols<3>(at) * g;
+    }
+  }
+  return product;
+}
+
+/// lambda of R M^-1 C' lambda = b - R f, with rows and columns of size one.
 Eigen::VectorXd multipliers(const Equations& e, bool& redundant) {
   const Eigen::VectorXd root = e.inverse_mass.cwiseSqrt();
   Rows rows = e.rows * root.asDiagonal();
@@ -85,15 +126,9 @@ Eigen::VectorXd multipliers(const Equations& e, bool& redundant) {
   const Eigen::VectorXd column_unit = columns.rowwise().norm().cwiseInverse();
   rows = row_unit.asDiagonal() * rows;
   columns = column_unit.asDiagonal() * columns;
-  const Eigen::MatrixXd coupling = rows * columns.transpose();
+  const Eigen::MatrixXd coupling = product(rows, columns);
   const Eigen::VectorXd b = row_unit.cwiseProduct(e.bound - e.rows * e.target);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(dependent_share);
-  factors.compute(coupling);
-  redundant = factors.rank() < coupling.rows();
-  Eigen::VectorXd lambda = factors.solve(b);
-  lambda += factors.solve(b - coupling * lambda);
-  return column_unit.cwiseProduct(lambda);
+  return column_unit.cwiseProduct(least_solution(coupling, b, redundant));
 }
 
 }  // namespace

@@ -49,13 +49,18 @@ std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   return group;
 }
 
+State moved_state(const StillScene& still, const CarriedGroup& group, double distance) {
+  State state = still.state;
+  for (const int cube : group.cubes)
+    state[cube].position += distance * group.along;
+  return state;
+}
+
 MovedScene move(const StillScene& still,
                 const MotionSettings& settings,
                 const CarriedGroup& group,
                 double distance) {
-  State state = still.state;
-  for (const int cube : group.cubes)
-    state[cube].position += distance * group.along;
+  const State state = moved_state(still, group, distance);
   ContactFinder finder;
   std::vector<Contact> contacts;
   finder.find(still.system, state, contacts);

@@ -18,6 +18,9 @@ struct CarriedGroup {
 /// None where the cube stands on sides that are not parallel, or on nothing.
 std::optional<CarriedGroup> carried_group(const StillScene& still, int cube);
 
+/// The bodies with the group moved.
+State moved_state(const StillScene& still, const CarriedGroup& group, double distance);
+
 /// What becomes of the group's island, and of all that stands beside it, when the group is moved.
 struct MovedScene {
   Verdict verdict = Verdict::undecided;

@@ -164,7 +164,7 @@ void find_of_bodies(const StillScene& still,
   for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
     const Island& island = still.found.islands[m].island;
     IslandMargins of(still, still.found.islands[m]);
-    const MoveMargins moves(still, settings, m);
+    MoveMargins moves(still, settings, m);
     for (BodyMargin& body : margins.bodies) {
       if (!std::ranges::binary_search(island.cubes, body.cube)) continue;
       if (request.shift) body.shift = of.shift(body.cube);

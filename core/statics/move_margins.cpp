@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/dynamics/momentum.h"
+#include "core/statics/limit_motion.h"
 #include "core/statics/margins.h"
 
 namespace wuerfel {
@@ -13,7 +14,11 @@ namespace {
 /// Ends are bracketed to this share of the smaller side.
 constexpr double bracketed = 1e-9;
 constexpr double seen_to_fall = 1e-7;
+/// Likewise, where the motion behind an end is looked at to find that end exactly.
+constexpr double seen_to_move = 1e-5;
 constexpr int most_looks = 80;
+/// Of a way, as a share of the side.
+constexpr double rounding = 1e-15;
 
 /// Looks at moved scenes, and finds where they change.
 class MoveSearch {
@@ -39,7 +44,30 @@ class MoveSearch {
            && stands(0.5 * s);
   }
 
-  /// Between a place where the scene stands and one where it does not: the last place where it does.
+  /// The last place where a scene stands, and how exactly it is known.
+  struct End {
+    double s = 0.0;
+    double error = 0.0;
+  };
+
+  /// Between a place where the scene stands and one where it does not.
+  [[nodiscard]] End end(double in, double out) const {
+    const double s = edge(in, out);
+    const double step = std::copysign(side_, out - in);
+    const double behind = s + seen_to_move * step;
+    const std::optional<double> exact =
+        at(behind).overlaps
+            ? end_of_room(still_, settings_, group_, behind, s + 2.0 * seen_to_move * step)
+            : end_of_rest(still_, settings_, group_, s, behind);
+    if (exact && std::abs(*exact - s) <= seen_to_fall * side_ && stands(*exact)) return {*exact};
+    // The last place on a face that is left: on its end itself nothing holds.
+    constexpr double brackets = 4.0;
+    if (const auto touch = end_of_touch(still_, group_, s, brackets * bracketed * side_))
+      return {*touch};
+    return {s, bracketed * side_};
+  }
+
+  /// The same by looks alone.
   [[nodiscard]] double edge(double in, double out) const {
     double before = out;  // the last place outside but one
     double unrest_before = 0.0;
@@ -64,18 +92,18 @@ class MoveSearch {
 
   /// Outwards from a place where the scene stands, to the right (+1) or to the left: the last place
   /// before the first change; infinite where none is found beyond all bodies.
-  [[nodiscard]] double first_change(double from, double sense) const {
+  [[nodiscard]] End first_change(double from, double sense) const {
     constexpr int even_steps = 8;
     const double far = extent() + std::abs(from);
     double in = from;
     double step = 0.25 * side_;
     for (int k = 0; std::abs(in) <= far; ++k) {
       const double out = in + sense * step;
-      if (!stands(out)) return edge(in, out);
+      if (!stands(out)) return end(in, out);
       in = out;
       if (k >= even_steps) step *= 2.0;
     }
-    return sense * unbounded;
+    return {sense * unbounded};
   }
 
  private:
@@ -167,7 +195,9 @@ std::optional<double> mended_on_the_way(const MoveSearch& search, double nearest
     const double s = nearest + share * (farthest - nearest);
     if (search.stands(s)) {
       constexpr double nearly = 0.9995;
-      return search.stands(nearly * s) ? search.edge(s, before) : s;
+      if (!search.stands(nearly * s)) return s;
+      const double end = search.end(s, before).s;
+      return search.stands(end) ? end : search.edge(s, before);
     }
     before = s;
   }
@@ -177,16 +207,19 @@ std::optional<double> mended_on_the_way(const MoveSearch& search, double nearest
 }  // namespace
 
 MoveMargins::MoveMargins(const StillScene& still, const MotionSettings& settings, int island)
-    : still_(&still), settings_(&settings) {
+    : still_(&still), settings_(&settings), island_(island) {
   const IslandForces& of = still.found.islands[island];
-  if (still.falls(of)) return;
-  const PartJudge judge(still, of.island);
-  for (const std::vector<int>& cubes : carried_parts(still, of.island))
-    parts_.push_back(judge.judge(cubes, Shift::of_all));
+  if (!still.falls(of)) level_ = LevelStack::of(still, of.island);
 }
 
 /// Where the centre of a part leaves what it stands on; mostly that is the first change.
-double MoveMargins::expected_change(const CarriedGroup& group, double sense) const {
+double MoveMargins::expected_change(const CarriedGroup& group, double sense) {
+  if (parts_.empty()) {
+    const Island& island = still_->found.islands[island_].island;
+    const PartJudge judge(*still_, island);
+    for (const std::vector<int>& cubes : carried_parts(*still_, island))
+      parts_.push_back(judge.judge(cubes, Shift::of_all));
+  }
   double nearest = unbounded;
   for (const PartStand& part : parts_) {
     const double moved = moved_mass(*still_, group, part.cubes);
@@ -221,24 +254,33 @@ double MoveMargins::end_of_faces(const CarriedGroup& group, double sense) const 
   return sense * end;
 }
 
-LoadRange MoveMargins::range(int cube) const {
+LoadRange MoveMargins::range(int cube) {
+  if (level_ && still_->system.body(cube).kind == BodyKind::cube) {
+    if (const std::optional<LoadRange> range = level_->move_range(cube)) return *range;
+  }
   const std::optional<CarriedGroup> group = carried_group(*still_, cube);
-  if (!group) return no_load;
-  const MoveSearch search(*still_, *settings_, *group);
-  const double error = bracketed * search.side();
-  if (is_alone(*still_, *group) && still_->verdict == Verdict::stands) return {};
-  if (still_->falls(still_->found.islands[group->island])) {
+  return group ? range_of(cube, *group) : no_load;
+}
+
+LoadRange MoveMargins::range_of(int cube, const CarriedGroup& group) {
+  const MoveSearch search(*still_, *settings_, group);
+  if (is_alone(*still_, group) && still_->verdict == Verdict::stands) return {};
+  if (still_->falls(still_->found.islands[island_])) {
     const std::optional<double> mended = mending_move(*still_, *settings_, cube);
     if (!mended) return no_load;
-    const double beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);
-    return {std::min(*mended, beyond), std::max(*mended, beyond), error};
+    const MoveSearch::End beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);
+    return {std::min(*mended, beyond.s), std::max(*mended, beyond.s),
+            std::max(beyond.error, bracketed * search.side())};
   }
-  const auto end = [&](double sense) {
-    for (const double expected : {expected_change(*group, sense), end_of_faces(*group, sense)})
-      if (search.changes_at(expected, sense)) return expected;
+  const auto end = [&](double sense) -> MoveSearch::End {
+    for (const double expected : {expected_change(group, sense), end_of_faces(group, sense)})
+      if (search.changes_at(expected, sense)) return {expected};
     return search.first_change(0.0, sense);
   };
-  return {end(-1.0), end(1.0), error};
+  const MoveSearch::End left = end(-1.0);
+  const MoveSearch::End right = end(1.0);
+  const auto rounded = [&](double s) { return std::abs(s) <= rounding * search.side() ? 0.0 : s; };
+  return {rounded(left.s), rounded(right.s), std::max(left.error, right.error)};
 }
 
 std::optional<double> mending_move(const StillScene& still,

@@ -315,7 +315,7 @@ void add_island(const StillScene& still,
     add_face_ranges(ranges, std::ranges::all_of(face.contacts, is_unique), face);
     result.interfaces.push_back(face.seen);
   }
-  result.degree += ranges.degree();
+  if (request.degree) result.degree += ranges.degree();
 }
 
 }  // namespace

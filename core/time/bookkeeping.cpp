@@ -18,6 +18,7 @@ void add_audit(const Audit& more, Audit& audit) {
   audit.unresolved += more.unresolved;
   audit.searches_given_up += more.searches_given_up;
   audit.wedged += more.wedged;
+  audit.rods_contradicting += more.rods_contradicting;
   audit.friction_inexact += more.friction_inexact;
   audit.friction_residual = std::max(audit.friction_residual, more.friction_residual);
   audit.restitution_reduced += more.restitution_reduced;
@@ -61,6 +62,8 @@ std::string_view to_string(Promise promise) {
       return "energy";
     case Promise::momentum:
       return "momentum";
+    case Promise::rods:
+      return "rods";
   }
   return "?";
 }

@@ -43,7 +43,7 @@ struct Loss {
 };
 
 /// What a run promises of itself.
-enum class Promise { programs, events, friction, overlap, energy, momentum };
+enum class Promise { programs, events, friction, overlap, energy, momentum, rods };
 std::string_view to_string(Promise promise);
 
 /// A promise that was broken: within the step that begins at t, by one of these bodies.
@@ -68,6 +68,7 @@ struct Audit {
   /// Programs without any solution, and accelerations that no step can follow: cubes wedged by
   /// their turning.
   long wedged = 0;
+  long rods_contradicting = 0;     ///< times at which no accelerations kept the lengths of all rods
   long friction_inexact = 0;       ///< programs in which Coulomb's law was missed
   double friction_residual = 0.0;  ///< the worst residual of Coulomb's law
   long restitution_reduced = 0;    ///< impacts whose coefficients had to be scaled back

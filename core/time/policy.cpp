@@ -8,6 +8,8 @@ namespace {
 /// Steps of second order have the root of the tolerance as their local error; in crowds, which
 /// forget where they come from within a few impacts, so many times that.
 constexpr double crowd_error = 20.0;
+/// Energy sways by this share of it, so that it stays within its budget.
+constexpr double sway_share = 0.25;
 
 }  // namespace
 
@@ -24,7 +26,8 @@ MotionPolicy policy_of(const MotionSettings& settings) {
     case Integrator::rattle:
       policy.only_steps = true;
       policy.step = settings.step;
-      policy.allowed_error = policy.sway = root;
+      policy.allowed_error = root;
+      policy.sway = sway_share * root;
       break;
     case Integrator::moreau:
       policy.method = MotionPolicy::Method::moreau;

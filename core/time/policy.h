@@ -20,7 +20,7 @@ struct MotionPolicy {
   double allowed_error =
       0.0;  ///< of a step in which groups are stepped, as a share of the smallest side
   double sway =
-      0.0;  ///< share of what is in motion that the energy of such steps may be above its true value
+      0.0;  ///< share of what is in motion that the energy of such steps may be away from its true value
 };
 
 MotionPolicy policy_of(const MotionSettings& settings);

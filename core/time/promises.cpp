@@ -11,6 +11,7 @@ std::vector<Promise> broken_promises(const Audit& audit) {
     if (!kept) broken.push_back(promise);
   };
   check(audit.missed_solves == 0, Promise::programs);
+  check(audit.rods_contradicting == 0 && audit.max_rod_error <= promised_rod_error, Promise::rods);
   check(audit.unresolved == 0, Promise::events);
   check(audit.friction_residual <= promised_friction, Promise::friction);
   check(audit.max_overlap <= promised_overlap, Promise::overlap);

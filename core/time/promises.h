@@ -12,6 +12,8 @@ namespace wuerfel {
 /// Largest share of the smaller side of a pair by which bodies may overlap (and a little for
 /// rounding).
 inline constexpr double promised_overlap = 1.01e-9;
+/// Largest share of its length by which a rod may miss it.
+inline constexpr double promised_rod_error = 1e-9;
 /// Residual of Coulomb's law that is counted but borne.
 inline constexpr double promised_friction = 1e-6;
 /// Share by which momenta may change without a reason, and the same where steps were taken.

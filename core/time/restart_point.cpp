@@ -44,7 +44,7 @@ void transfer(Archive& archive, Audit& a) {
                          &a.momentum_angular, &a.momentum_settled})
     archive(*number);
   for (long* number : {&a.missed_solves, &a.unresolved, &a.searches_given_up, &a.wedged,
-                       &a.friction_inexact, &a.restitution_reduced})
+                       &a.friction_inexact, &a.restitution_reduced, &a.rods_contradicting})
     archive(*number);
 }
 

@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "core/time/shown_ranges.h"
+
 namespace wuerfel {
 namespace {
 
@@ -51,6 +53,14 @@ SnapshotJoint finish(const System& system, Growing of) {
   return of.joint;
 }
 
+/// Of the face by which two bodies touch.
+std::optional<SnapshotRange> range_of(const ForceRanges& ranges, const SnapshotJoint& joint) {
+  const auto pair = std::minmax(joint.body, joint.other);
+  const auto face = std::ranges::find_if(
+      ranges.interfaces, [&](const Interface& f) { return std::minmax(f.on, f.from) == pair; });
+  return face == ranges.interfaces.end() ? std::nullopt : shown_range(face->force_range);
+}
+
 /// Points have no faces: their forces are shown contact by contact.
 bool rests_on_point(const System& system, const SnapshotJoint& joint) {
   return system.body(joint.body).kind == BodyKind::point
@@ -74,7 +84,10 @@ double least_pressing(const ContactForces& forces) {
 }
 
 // Two boxes, or a box and a plane, are convex: they touch by one face.
-void add_joints(const System& system, const IslandForces& of, std::vector<SnapshotJoint>& joints) {
+void add_joints(const System& system,
+                const IslandForces& of,
+                const ForceRanges& ranges,
+                std::vector<SnapshotJoint>& joints) {
   std::map<std::pair<int, int>, int> number;
   std::vector<Growing> growing;
   for (int k = 0; k < std::ssize(of.island.contacts); ++k) {
@@ -87,7 +100,9 @@ void add_joints(const System& system, const IslandForces& of, std::vector<Snapsh
   const double least = least_pressing(of.forces);
   for (const Growing& joint : growing) {
     if (joint.pressure <= least || rests_on_point(system, joint.joint)) continue;
+    const std::optional<SnapshotRange> range = range_of(ranges, joint.joint);
     joints.push_back(finish(system, joint));
+    joints.back().range = range;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/dynamics/forces_at.h"
 #include "core/snapshot.h"
+#include "core/statics/ranges.h"
 
 namespace wuerfel {
 
@@ -19,7 +20,10 @@ double least_pressing(const ContactForces& forces);
 /// Number of a body in Snapshot::boxes, planes after them; -1 of a point.
 int box_of(const System& system, int body);
 
-/// Adds the joints of an island that press.
-void add_joints(const System& system, const IslandForces& of, std::vector<SnapshotJoint>& joints);
+/// Adds the joints of an island that press; `ranges` may be empty.
+void add_joints(const System& system,
+                const IslandForces& of,
+                const ForceRanges& ranges,
+                std::vector<SnapshotJoint>& joints);
 
 }  // namespace wuerfel

@@ -7,6 +7,8 @@
 #include "core/time/island_motion.h"
 #include "core/time/policy.h"
 #include "core/time/reference/fixed_step_motion.h"
+#include "core/time/shown_causes.h"
+#include "core/time/shown_ranges.h"
 #include "core/time/start_state.h"
 #include "core/time/take_snapshot.h"
 
@@ -41,16 +43,19 @@ struct Simulation::Impl {
   System system;
   State start;
   double energy_start = 0.0;
+  MotionSettings settings;
   std::unique_ptr<Motion> motion;
   ForceFinder finder;
+  RangeFinder range_finder;
   LookCost look_cost;
 
   template <typename... More>
-  Impl(const Scene& s, const MotionSettings& settings, const More&... more)
+  Impl(const Scene& s, const MotionSettings& chosen, const More&... more)
       : scene(s),
         system(make_system(s)),
         start(start_state(s)),
         energy_start(energy(system, start)),
+        settings(chosen),
         motion(make_motion(system, settings, start, more...)),
         finder(system, settings) {
     require_consistent_rods(system, motion->state(),
@@ -65,6 +70,21 @@ struct Simulation::Impl {
     const InstantForces& found = finder.at(state, detail, loaded);
     add(found.cost, look_cost);
     return found;
+  }
+
+  Snapshot snapshot(double t,
+                    const State& state,
+                    const std::vector<Contact>& loaded,
+                    const SnapshotRequest& request) {
+    const InstantForces& found = look(state, loaded, detail_of(request));
+    std::vector<ForceRanges> ranges;
+    if (request.ranges) ranges = range_finder.at(system, state, found);
+    Snapshot snapshot = take_snapshot(scene, system, state, found, ranges, request);
+    snapshot.time = t;
+    snapshot.energy_start = energy_start;
+    if (request.causes || request.mechanism)
+      add_causes(held_still(system, settings, state, loaded), request, snapshot);
+    return snapshot;
   }
 };
 
@@ -118,11 +138,7 @@ const Cost& Simulation::cost() const { return impl_->motion->book().cost; }
 const LookCost& Simulation::look_cost() const { return impl_->look_cost; }
 
 Snapshot Simulation::snapshot(const SnapshotRequest& request) const {
-  Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, impl_->motion->state(),
-                                    impl_->look(detail_of(request)), request);
-  snapshot.time = time();
-  snapshot.energy_start = impl_->energy_start;
-  return snapshot;
+  return impl_->snapshot(time(), impl_->motion->state(), impl_->motion->loaded(), request);
 }
 
 Moment Simulation::moment() const {
@@ -130,12 +146,8 @@ Moment Simulation::moment() const {
 }
 
 Snapshot Simulation::snapshot(const Moment& moment, const SnapshotRequest& request) const {
-  const InstantForces& found = impl_->look(
-      moment.state, contacts_of(moment.loaded, impl_->system.count()), detail_of(request));
-  Snapshot snapshot = take_snapshot(impl_->scene, impl_->system, moment.state, found, request);
-  snapshot.time = moment.t;
-  snapshot.energy_start = impl_->energy_start;
-  return snapshot;
+  return impl_->snapshot(moment.t, moment.state, contacts_of(moment.loaded, impl_->system.count()),
+                         request);
 }
 
 std::vector<std::string> Simulation::moved() const {

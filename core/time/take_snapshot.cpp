@@ -7,6 +7,7 @@
 #include "core/constraints/side.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/time/shown_joints.h"
+#include "core/time/shown_ranges.h"
 
 namespace wuerfel {
 namespace {
@@ -82,7 +83,10 @@ void add_accelerations(const System& system, const InstantForces& found, Snapsho
   }
 }
 
-void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot) {
+void add_forces(const System& system,
+                const IslandForces& of,
+                const ForceRanges& ranges,
+                Snapshot& snapshot) {
   const double least = least_pressing(of.forces);
   for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
     const Contact& c = of.island.contacts[k];
@@ -93,6 +97,7 @@ void add_forces(const System& system, const IslandForces& of, Snapshot& snapshot
     const bool unique = of.detail < Detail::uniqueness || of.forces.unique[k] != 0;
     snapshot.forces.push_back(
         {c.point, force, ForceKind::contact, box_of(system, on ? c.on : c.from), unique});
+    if (!ranges.contacts.empty()) snapshot.forces.back().range = shown_range(ranges.contacts[k]);
     if (of.forces.tangential.empty()) continue;
     const double tangential = of.forces.tangential[k];
     if (std::abs(tangential) <= rounding * normal) continue;
@@ -183,6 +188,7 @@ Snapshot take_snapshot(const Scene& scene,
                        const System& system,
                        const State& state,
                        const InstantForces& found,
+                       std::span<const ForceRanges> ranges,
                        const SnapshotRequest& request) {
   Snapshot snapshot;
   snapshot.title = system.title;
@@ -194,9 +200,12 @@ Snapshot take_snapshot(const Scene& scene,
   add_links(system, state, found, snapshot);
   if (request.points) add_points(system, state, snapshot);
   if (request.sides) add_sides(system, state, snapshot);
-  for (const IslandForces& of : found.islands) {
-    if (request.forces) add_forces(system, of, snapshot);
-    if (request.joints) add_joints(system, of, snapshot.joints);
+  const ForceRanges unknown;
+  for (std::size_t m = 0; m < found.islands.size(); ++m) {
+    const IslandForces& of = found.islands[m];
+    const ForceRanges& possible = ranges.empty() ? unknown : ranges[m];
+    if (request.forces) add_forces(system, of, possible, snapshot);
+    if (request.joints) add_joints(system, of, possible, snapshot.joints);
     if (request.contacts) add_contacts(system, state, of.island, snapshot);
   }
   if (request.rods) add_rods(system, state, found, request.rod_forces, snapshot);

@@ -6,6 +6,7 @@
 
 #include "core/dynamics/momentum_balance.h"
 #include "core/time/promises.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 namespace {
@@ -125,8 +126,12 @@ void Track::advance(double limit) {
   const Audit before = book_.audit;
   const double t = clock();
   stepping_ ? step(limit) : follow_events(limit);
-  if (broken_promises(book_.audit) != broken_promises(before))
-    note_breaches(before, t, moving_names(), book_);
+  if (broken_promises(book_.audit) == broken_promises(before)) return;
+  const std::size_t known = book_.breaches.size();
+  note_breaches(before, t, moving_names(), book_);
+  for (std::size_t k = known; k < book_.breaches.size(); ++k)
+    if (book_.breaches[k].promise == Promise::rods)
+      book_.breaches[k].bodies = lost_rods(*system_, state());
 }
 
 std::vector<std::string> Track::moving_names() const {
@@ -309,9 +314,11 @@ void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
     add(piece->start);
     if (piece->kind != MotionPiece::Kind::smooth) continue;
     // Between its ends a smooth piece leaves the chord: it is looked at along the way.
+    const bool known = !piece->motion.coefficients.empty();
+    const DenseStep motion = known ? piece->motion : motion_of(*system_, *piece);
     state = piece->start;
     for (int k = 1; k < looks_per_piece; ++k) {
-      look_at(piece->motion, (end - piece->begin) / piece->length * k / looks_per_piece, state);
+      look_at(motion, (end - piece->begin) / piece->length * k / looks_per_piece, state);
       add(state);
     }
   }

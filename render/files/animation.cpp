@@ -54,8 +54,10 @@ std::vector<Color> animation_palette(const Style& style, const std::vector<Color
   fills.insert(fills.end(), bodies.begin(), bodies.end());
   fills.push_back(style.fixed);
   fills.push_back(style.ground);
-  const std::array<Color, 6> strokes{style.contact,     style.friction, style.tension,
-                                     style.compression, style.velocity, style.normal};
+  const std::array strokes{
+      style.contact,   style.friction,     style.tension,       style.compression,  style.velocity,
+      style.normal,    style.acceleration, style.own_weight,    style.thrust,       style.whisker,
+      style.mechanism, style.cause,        style.positive_side, style.negative_side};
   std::vector<Color> palette{background,  style.ink,  style.quiet_ink, style.ground_line,
                              style.hatch, style.grid, style.grid_axis, style.rod,
                              style.joint, style.mass};

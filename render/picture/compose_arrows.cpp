@@ -70,6 +70,18 @@ void add_half(const ArrowShape& arrow, DrawList& list) {
   list.add(head);
 }
 
+/// A shaft of dashes, and a filled head.
+void add_dashed(const ArrowShape& arrow, DrawList& list) {
+  const Frame frame(arrow);
+  const float shaft = frame.length() - arrow.head_length;
+  const float dash = std::max(3.0F * arrow.half_width, 2.0F);
+  for (float at = 0.0F; at < shaft - 0.5F * dash; at += 2.2F * dash)
+    add_stroke(arrow, frame.at(at, 0.0F), frame.at(std::min(at + dash, shaft), 0.0F), list);
+  ArrowShape head = arrow;
+  head.tail = frame.at(shaft, 0.0F);
+  list.add(head);
+}
+
 /// The inside of a hollow arrow: all of its outline moved inwards by the rim.
 ArrowShape inside_of(const FrameParts& parts, const ArrowShape& arrow) {
   const Frame frame(arrow);
@@ -120,6 +132,8 @@ void paint(const FrameParts& parts, const PendingArrow& arrow, const ArrowShape&
       return add_open(shape, 2, parts.list);
     case ArrowForm::half:
       return add_half(shape, parts.list);
+    case ArrowForm::dashed:
+      return add_dashed(shape, parts.list);
     case ArrowForm::hollow:
     case ArrowForm::filled:
       return parts.list.add(shape);

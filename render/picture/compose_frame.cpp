@@ -82,7 +82,9 @@ double head_height(const Style& style, double unit) {
   return (40.0 + style.title_size + style.text_size) * unit;
 }
 
-double foot_height(const Style& style, double unit) { return (44.0 + style.text_size) * unit; }
+double foot_height(const Style& style, const FrameOptions& options, double unit) {
+  return (44.0 + style.text_size + (options.foot_lines - 1) * line_height * style.text_size) * unit;
+}
 
 }  // namespace
 
@@ -91,7 +93,7 @@ HudParts hud_parts(const Style& style, const FrameOptions& options, int width, i
   constexpr double share = 0.4;
   const double unit = frame_unit(width, height, options.scale);
   const double room = share * height;
-  const bool foot = head_height(style, unit) + foot_height(style, unit) <= room;
+  const bool foot = head_height(style, unit) + foot_height(style, options, unit) <= room;
   return {head_height(style, unit) <= room, foot};
 }
 
@@ -103,7 +105,7 @@ Insets frame_insets(const Style& style, const FrameOptions& options, int width, 
       hud.head && (options.coloring.by == ColorBy::load || options.coloring.by == ColorBy::speed);
   return {margin, hud.head ? head_height(style, unit) : margin,
           bar ? (color_bar_width + 30.0) * unit : margin,
-          hud.foot ? foot_height(style, unit) : margin};
+          hud.foot ? foot_height(style, options, unit) : margin};
 }
 
 DrawList compose_frame(const Snapshot& snapshot,
@@ -158,10 +160,13 @@ DrawList compose_frame(const Snapshot& snapshot,
   if (parts.has(Layer::forces)) part("impacts", internal::add_impacts);
   list.begin_group("arrows");
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
+  if (parts.has(Layer::whiskers)) part("whiskers", internal::add_whiskers);
   if (parts.has(Layer::normals)) part("normals", internal::add_normals);
   if (parts.has(Layer::contacts)) part("contacts", internal::add_contacts);
   if (parts.has(Layer::points)) part("points", internal::add_points);
-  if (snapshot.reason) part("reason", internal::add_reason);
+  if (snapshot.reason) part("fixes", internal::add_fixes);
+  if (parts.has(Layer::mechanism)) part("mechanism", internal::add_mechanism);
+  if (parts.has(Layer::causes)) part("causes", internal::add_causes);
   if (snapshot.reason && parts.has(Layer::hud)) part("words", internal::add_reason_text);
   if (!snapshot.reason && parts.has(Layer::hud)) part("hud", internal::add_hud);
   // Texts look for places that are still free.

@@ -107,6 +107,8 @@ void add_force_entries(const FrameParts& parts, LegendRow& row) {
   if (parts.has(Layer::weights)) row.sample("weight", parts.style.own_weight, {});
   if (options.legend.has(LegendEntry::several))
     row.sample("one of many possible", color, {.hollow = true});
+  if (parts.has(Layer::whiskers) && options.legend.has(LegendEntry::range))
+    row.whisker("from least to most");
   if (options.legend.has(LegendEntry::cut)) row.sample("longer than shown", color, {.cut = true});
   if (options.legend.has(LegendEntry::hidden))
     row.dot(fmt::format("below {}", with_prefix(least_arrow(parts), "N", 2)), color);
@@ -130,6 +132,10 @@ void add_entries(const FrameParts& parts, LegendRow& row) {
   if (parts.has(Layer::thrust)) row.dashes("thrust", parts.style.thrust);
   if (parts.has(Layer::forces) && !is_crowd(parts.snapshot) && shows_paths(options))
     row.swatch("thrust", with_alpha(parts.style.ink, path_alpha));
+  if (parts.has(Layer::mechanism) && options.legend.has(LegendEntry::mechanism))
+    row.moved_box("mechanism, not to scale", parts.style.mechanism);
+  if (parts.has(Layer::causes) && options.legend.has(LegendEntry::cause))
+    row.failing_box("fails by itself", parts.style.cause);
   if (parts.has(Layer::normals)) row.normal("normal");
   if (parts.has(Layer::rod_forces)) {
     const double full = options.full_rod_force;

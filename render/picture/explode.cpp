@@ -46,6 +46,8 @@ void clear_places(Snapshot& apart) {
   apart.contacts.clear();
   apart.sides.clear();
   apart.trails.clear();
+  for (SnapshotCause& cause : apart.causes)
+    cause = {.part = cause.part};
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ Snapshot exploded(const Snapshot& snapshot, double share) {
   const auto add = [&](const SnapshotJoint& joint, int body, const Vec2& force) {
     if (body < 0 || body >= boxes) return;  // planes are not cut free
     apart.forces.push_back({joint.point + step(snapshot.boxes[body].center), force,
-                            ForceKind::contact, body, joint.unique});
+                            ForceKind::contact, body, joint.unique, joint.range});
   };
   for (const SnapshotJoint& joint : snapshot.joints) {
     add(joint, joint.body, joint.force);

@@ -19,7 +19,8 @@ struct FrameOptions {
   Legend legend{LegendEntry::contact};
   BodyColoring coloring;
   double explode =
-      0.0;  ///< bodies are so much farther apart than they are, with all forces on them
+      0.0;             ///< bodies are so much farther apart than they are, with all forces on them
+  int foot_lines = 1;  ///< of text at the foot
   double interval = 0.0;  ///< s between frames: how many digits the time has; 0: a still picture
   /// HiDPI factor on text, lines and arrow heads.
   double scale = 1.0;
@@ -44,6 +45,8 @@ constexpr double shortest_force_arrow = 8.0;
 /// Pixels per pixel of a 1280x720 picture: all weights grow with the picture, so that a poster
 /// looks like a thumbnail, but never below what can be read.
 double frame_unit(int width, int height, double scale);
+
+constexpr double line_height = 1.33;  ///< of text, as a share of its size
 
 /// The parts of a HUD that a picture has room for: together they take no more than 40 % of its
 /// height.

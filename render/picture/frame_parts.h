@@ -44,6 +44,7 @@ enum class ArrowForm {
   half,    ///< friction: half a head, on the left
   open,    ///< velocities: a head of two strokes
   twice,   ///< accelerations: two such heads
+  dashed,  ///< a motion that is only thought of
 };
 
 /// An arrow waiting to be painted: all halos come before all arrows, so that no halo cuts a
@@ -88,8 +89,12 @@ void add_names(const FrameParts& parts);
 void add_hud(const FrameParts& parts);
 /// The foot of the HUD alone.
 void add_legend(const FrameParts& parts);
-/// Marks of Snapshot::reason, and its words in the place of the HUD.
-void add_reason(const FrameParts& parts);
+void add_whiskers(const FrameParts& parts);
+void paint_whisker(const FrameParts& parts, Pixel from, Pixel to);
+void add_causes(const FrameParts& parts);
+void add_mechanism(const FrameParts& parts);
+/// Fixes of Snapshot::reason, and its words in the place of the HUD.
+void add_fixes(const FrameParts& parts);
 void add_reason_text(const FrameParts& parts);
 
 /// Arrows of the forces, and dots for those too small for one.

@@ -225,6 +225,43 @@ void LegendRow::comb(std::string_view meaning, Color color) {
   });
 }
 
+void LegendRow::whisker(std::string_view meaning) {
+  entry(sample_length * parts_.unit, meaning, [&](float left, float right) {
+    paint_whisker(parts_, {left, middle()}, {right, middle()});
+  });
+}
+
+void LegendRow::moved_box(std::string_view meaning, Color color) {
+  const double side = 15.0 * parts_.unit;
+  entry(side, meaning, [&](float left, float right) {
+    const float half = 0.5F * (right - left);
+    const std::array<Pixel, 4> corner{{{left, middle() - half},
+                                       {right, middle() - half},
+                                       {right, middle() + half},
+                                       {left, middle() + half}}};
+    for (std::size_t k = 0; k < corner.size(); ++k) {
+      const Pixel& p = corner.at(k);
+      const Pixel& q = corner.at((k + 1) % corner.size());
+      for (const float share : {0.0F, 0.375F, 0.75F})
+        stroke({p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)},
+               {p.x + (share + 0.25F) * (q.x - p.x), p.y + (share + 0.25F) * (q.y - p.y)}, 1.8,
+               color);
+    }
+  });
+}
+
+void LegendRow::failing_box(std::string_view meaning, Color color) {
+  entry(16.0 * parts_.unit, meaning, [&](float left, float right) {
+    BoxShape box;
+    box.center = {0.5F * (left + right), middle()};
+    box.half_size = {0.5F * (right - left), 0.5F * (right - left)};
+    box.outline_width = static_cast<float>(3.6 * parts_.unit);
+    box.outline = color;
+    box.fill = with_alpha(color, 0.0);
+    parts_.list.add(box);
+  });
+}
+
 // On the right, from much above to little below.
 void add_color_bar(const FrameParts& parts) {
   const BodyColoring& coloring = parts.options.coloring;

@@ -57,6 +57,11 @@ class LegendRow {
   void swatch(std::string_view meaning, Color color);
   void dashes(std::string_view meaning, Color color);
   void comb(std::string_view meaning, Color color);
+  void whisker(std::string_view meaning);
+  /// A dashed square.
+  void moved_box(std::string_view meaning, Color color);
+  /// A square in a thick outline.
+  void failing_box(std::string_view meaning, Color color);
   void paint_plate() const;
 
  private:

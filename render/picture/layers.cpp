@@ -6,13 +6,14 @@
 namespace wuerfel {
 namespace {
 
-constexpr std::array<std::string_view, 21> layer_names{
-    "cubes",    "rods",   "points",  "sides",         "normals",    "forces",     "contact-forces",
-    "joints",   "thrust", "weights", "accelerations", "rod-forces", "velocities", "trails",
-    "contacts", "grid",   "names",   "values",        "symbols",    "hud",        "instances"};
+constexpr std::array<std::string_view, 24> layer_names{
+    "cubes",          "rods",   "points",     "sides",      "normals", "forces",
+    "contact-forces", "joints", "thrust",     "whiskers",   "weights", "accelerations",
+    "mechanism",      "causes", "rod-forces", "velocities", "trails",  "contacts",
+    "grid",           "names",  "values",     "symbols",    "hud",     "instances"};
 
-constexpr std::array<std::string_view, 6> legend_names{"contact", "friction", "cut",
-                                                       "hidden",  "several",  "impact"};
+constexpr std::array<std::string_view, 9> legend_names{
+    "contact", "friction", "cut", "hidden", "several", "impact", "range", "mechanism", "cause"};
 
 template <typename Names, typename Enum>
 std::string_view name_of(const Names& names, Enum member) {

@@ -18,8 +18,11 @@ enum class Layer {
   contact_forces,  ///< the same corner by corner, friction apart
   joints,          ///< pressure along each touching face, and its sum in numbers
   thrust,          ///< where the forces run through the bodies, and hinges
+  whiskers,        ///< what forces that are not the only possible ones could be instead
   weights,         ///< m g of each cube
   accelerations,   ///< Gauss' answer: accelerations of centres, and of corners that turn
+  mechanism,       ///< the motion that proves that nothing holds what falls: displaced outlines
+  causes,          ///< the parts that fail by themselves, and over which corner
   rod_forces,      ///< rods coloured and thickened by tension or compression
   velocities,      ///< velocities of the cubes as arrows
   trails,          ///< the paths of the centres up to now
@@ -49,6 +52,9 @@ enum class LegendEntry {
   hidden,    ///< forces too small for an arrow: dots
   several,   ///< forces that are not the only possible ones: hollow
   impact,    ///< rings
+  range,     ///< whiskers
+  mechanism,
+  cause,
 };
 
 using Legend = EnumSet<LegendEntry>;

@@ -49,6 +49,9 @@ Style light() {
   style.acceleration = rgb(0xA50692);
   style.own_weight = rgb(0x00005E);
   style.thrust = rgb(0x3778D3);
+  style.whisker = rgb(0x1B1B1B);
+  style.mechanism = rgb(0x483600);
+  style.cause = rgb(0xCF1B00);
   style.normal = rgb(0x8792C7);
   style.positive_side = rgb(0x35C03D);
   style.negative_side = rgb(0xED557B);
@@ -83,6 +86,9 @@ Style dark() {
   style.acceleration = rgb(0xEBB3FF);
   style.own_weight = rgb(0xE6FFD3);
   style.thrust = rgb(0x5B46FE);
+  style.whisker = rgb(0xAB9099);
+  style.mechanism = rgb(0xEAF35A);
+  style.cause = rgb(0xFCA236);
   style.normal = rgb(0x4778E2);
   style.positive_side = rgb(0x74F576);
   style.negative_side = rgb(0xEF5FBF);
@@ -116,6 +122,9 @@ Style print() {
   style.acceleration = rgb(0x000000);
   style.own_weight = rgb(0x4A4A4A);
   style.thrust = rgb(0x000000);
+  style.whisker = rgb(0x000000);
+  style.mechanism = rgb(0x6B6B6B);
+  style.cause = rgb(0x000000);
   style.normal = rgb(0x6B6B6B);
   style.positive_side = rgb(0x9A9A9A);
   style.negative_side = rgb(0x303030);

@@ -40,6 +40,9 @@ struct Style {
   Color acceleration;
   Color own_weight;  ///< m g of a cube
   Color thrust;
+  Color whisker;
+  Color mechanism;
+  Color cause;
   Color chain;  ///< forces through a crowd
   Color normal;
   Color positive_side;  ///< triangle of Eq. (2), outside

@@ -1,7 +1,6 @@
 #include "render/picture/view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -9,14 +8,6 @@
 
 namespace wuerfel {
 namespace {
-
-/// The four corners of a posed box.
-std::array<Vec2, 4> corners(const SnapshotBox& box) {
-  const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
-  const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
-  return {box.center - along - across, box.center + along - across, box.center + along + across,
-          box.center - along + across};
-}
 
 bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point) {
   constexpr double tolerance = 1e-9;
@@ -45,6 +36,32 @@ void include_near_ground(const Snapshot& snapshot, double depth, Bounds& bounds)
 
 }  // namespace
 
+std::array<Vec2, 4> corners(const SnapshotBox& box) {
+  const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
+  return {box.center - along - across, box.center + along - across, box.center + along + across,
+          box.center - along + across};
+}
+
+SnapshotBox moved_by(const SnapshotBox& box, const SnapshotMotion& motion, double reach) {
+  SnapshotBox moved = box;
+  moved.center += reach * motion.way;
+  moved.angle += reach * motion.turn;
+  return moved;
+}
+
+double motion_scale(const Snapshot& snapshot) {
+  constexpr double reach = 0.4;  // of a typical side
+  double side = 0.0;
+  int count = 0;
+  for (const SnapshotBox& box : snapshot.boxes) {
+    if (box.fixed) continue;
+    side += std::sqrt(box.size.x() * box.size.y());
+    ++count;
+  }
+  return count == 0 ? 0.0 : reach * side / count;
+}
+
 void Bounds::include(const Vec2& point) {
   min = min.cwiseMin(point);
   max = max.cwiseMax(point);
@@ -58,6 +75,8 @@ void Bounds::include(const SnapshotBox& box) {
 void Bounds::include(const Snapshot& snapshot, const ForceScale& force_scale) {
   for (const SnapshotBox& box : snapshot.boxes)
     include(box);
+  for (const SnapshotMotion& motion : snapshot.mechanism)
+    include(moved_by(snapshot.boxes[motion.box], motion, motion_scale(snapshot)));
   for (const SnapshotMass& mass : snapshot.masses)
     include(mass.position);
   for (const SnapshotLink& link : snapshot.links) {

@@ -2,10 +2,20 @@
 /// 0) the upper left corner of the upper left pixel.
 #pragma once
 
+#include <array>
+
 #include "core/snapshot.h"
 #include "render/picture/force_scale.h"
 
 namespace wuerfel {
+
+/// The four corners of a posed box, m.
+std::array<Vec2, 4> corners(const SnapshotBox& box);
+
+/// A box that has followed its motion so far that the corner that moves most has moved by `reach` m.
+SnapshotBox moved_by(const SnapshotBox& box, const SnapshotMotion& motion, double reach);
+/// m, that pictures move it by.
+double motion_scale(const Snapshot& snapshot);
 
 /// An axis-parallel rectangle of the world that grows around what it is given; empty at first.
 struct Bounds {

@@ -5,6 +5,8 @@ from xml.etree import ElementTree
 from program import FALLING, FLYING, STANDING, ProgramTest, main, png_chunks, png_size, png_texts
 
 SMALL = ("--size", "320x180")
+HYPERSTATIC = {"version": 1, "plane": [{"point": [0, 0], "normal": [0, 1]}],
+               "wall": [{"rows": 3, "columns": 3, "base": [0, 0], "size": [1, 1]}]}
 
 
 class Formats(ProgramTest):
@@ -132,9 +134,37 @@ class Formats(ProgramTest):
         done = self.expect(0, "figure", self.scene({**STANDING, "title": "مكعب"}), "-o", "f.png", *SMALL)
         self.assertIn("right to left", done.stderr)
 
+    def test_causes_mechanism_and_whiskers_in_every_format(self):
+        scene = self.scene(FALLING)
+        for layer, stands in (("causes", "fails by itself"), ("mechanism", "mechanism, not to scale"),
+                              ("whiskers", "from least to most")):
+            with self.subTest(layer):
+                of = self.scene(HYPERSTATIC, "wall.json") if layer == "whiskers" else scene
+                layers = ("--layers", "cubes,forces,hud," + layer)
+                for name in ("f.png", "f.svg", "f.pdf"):
+                    self.expect(0, "figure", of, "-o", name, *layers)
+                with open(self.path("f.svg"), encoding="utf-8") as file:
+                    svg = file.read()
+                self.assertIn(stands, svg)
+                self.assertIn(f'<g class="{layer}"', svg)
+                self.expect(0, "figure", of, "-o", "g.png", "--layers", "cubes,forces,hud")
+                self.expect(1, "compare", "f.png", "g.png")
+                self.expect(0, "run", of, "-o", "film/", "--until", "0.1", "--fps", "20", "--size", "640x360", *layers)
+                self.assertEqual(self.expect(0, "reproduce", "film/frame_000000.png").stdout, "identical\n")
+
+    def test_whiskers_that_show_nothing_say_so(self):
+        scene = self.scene(STANDING)
+        done = self.expect(0, "figure", scene, "-o", "f.png", "--layers", "cubes,whiskers", *SMALL)
+        self.assertIn("shows nothing without forces", done.stderr)
+        many = {"version": 1, "plane": [{"point": [0, 0], "normal": [0, 1]}],
+                "wall": [{"rows": 15, "columns": 20, "base": [0, 0], "size": [1, 1]}]}
+        done = self.expect(0, "figure", self.scene(many), "-o", "f.png", "--layers", "cubes,forces,whiskers", *SMALL)
+        self.assertIn("from 300 cubes on", done.stderr)
+
     def test_every_layer_option_can_be_made_again(self):
         scene = self.scene(FALLING)
-        layers = "cubes,forces,contact-forces,joints,thrust,weights,accelerations,velocities,values,names,symbols,hud"
+        layers = ("cubes,forces,contact-forces,joints,thrust,whiskers,weights,accelerations,mechanism,causes,velocities,"
+                  "values,names,symbols,hud")
         for arguments in (("--layers", layers), ("--explode", "0.4", "--layers", layers), ("--ghosts", "4"),
                           ("--color", "load"), ("--color", "speed"), ("--color", "island"), ("--layers", "instances"),
                           ("--fit", "instant"), ("--average", "0.05"), ("--size", "640xauto")):

@@ -1,6 +1,9 @@
 """Points, rods and pins from outside: what `check`, `run` and the tables tell of them."""
+import cmath
 import csv
 import json
+import os
+import re
 
 from program import ProgramTest, main
 
@@ -85,6 +88,72 @@ class Rods(ProgramTest):
         self.expect(1, "check", self.scene(swing))
         self.assertLessEqual(self.summary({**swing, "duration": 1})["audit"]["max_rod_error"], 1e-12)
 
+    def test_what_a_rope_takes_that_is_struck_across_is_booked(self):
+        scene = {"gravity": [0, 0], "duration": 1, "point": [{"name": "p", "position": [0, 0]}],
+                 "rod": [{"name": "l", "from": "p", "to": [-1, 0]}, {"name": "r", "from": "p", "to": [1, 0]}],
+                 "cube": [{"name": "c", "size": 0.4, "position": [0, 1], "velocity": [0, -4]}]}
+        for integrator in ("auto", "event", "rattle", "moreau", "symplectic", "euler"):
+            with self.subTest(integrator):
+                s = self.summary(scene, "--integrator", integrator)
+                self.assertAlmostEqual(s["audit"]["energy"]["impact_loss"], 8, delta=1e-6)
+                self.assertAlmostEqual(s["audit"]["energy"]["drift"], 0, delta=1e-6)
+                self.assertIn("jam", {event["kind"] for event in s["events"]})
+                self.assertEqual(s["audit"]["rods_contradicting"], 0)
+
+    def test_rods_that_lose_their_lengths_are_named(self):
+        # A point on the coupler of a crank and a rocker, on one more rod to the centre of curvature of its path: that
+        # contradicts nothing to second order, and nothing but rounding can move.
+        crank, anchor, l, r = cmath.exp(1.1j), 2, 1.6, 1.4
+
+        def coupler(angle):
+            p = cmath.exp(1j * angle)
+            d = abs(anchor - p)
+            along = (l * l - r * r + d * d) / (2 * d)
+            u = (anchor - p) / d
+            q = p + u * complex(along, (l * l - along * along) ** 0.5)
+            v = (q - p) / l
+            return q, p + v * complex(0.9, 0.8)
+
+        e = 1e-3
+        path = [coupler(1.1 + k * e)[1] for k in range(-2, 3)]
+        first = (8 * (path[3] - path[1]) - path[4] + path[0]) / (12 * e)
+        second = (16 * (path[3] + path[1]) - path[4] - path[0] - 30 * path[2]) / (12 * e * e)
+        normal = 1j * first / abs(first)
+        centre = path[2] + normal * abs(first) ** 2 / (normal.conjugate() * second).real
+        at = lambda z: [z.real, z.imag]
+        points = {"p": crank, "q": coupler(1.1)[0], "c": path[2]}
+        scene = {"duration": 1, "point": [{"name": name, "position": at(z)} for name, z in points.items()],
+                 "rod": [{"from": [0, 0], "to": "p"}, {"from": "p", "to": "q"}, {"from": [2, 0], "to": "q"}, {"from": "p", "to": "c"},
+                         {"from": "q", "to": "c"}, {"name": "centre", "from": at(centre), "to": "c"}]}
+        done = self.expect(3, "run", "--json", self.scene(scene))
+        self.assertIn("rods have lost their lengths", done.stderr)
+        self.assertIn('among centre', done.stderr)
+
+    def test_bad_input_names_the_place_and_what_to_do(self):
+        point = {"name": "pa", "position": [0, -1]}
+        cube = {"name": "a", "position": [0, 0]}
+        cases = {
+            "a missing name": ({"point": [point], "rod": [{"from": "pb", "to": [0, 0]}]}, r'rod\[1\]\.from: there is no body "pb"; did you mean "pa"'),
+            "a missing part": ({"cube": [cube], "rod": [{"from": "a.nx", "to": [0, 3]}]}, r'rod\[1\]\.from: "a" has no part "nx"; did you mean "ne"'),
+            "a part of a point": ({"point": [point], "rod": [{"from": "pa.n", "to": [0, 0]}]}, r'"pa" is a point, which has no parts'),
+            "no length": ({"point": [point], "rod": [{"from": "pa", "to": [0, -1]}]}, r"places coincide; use a \[\[pin\]\]"),
+            "a length that it has not": ({"point": [point], "rod": [{"from": "pa", "to": [0, 0], "length": 1.5}]}, r"the distance of the two places at the start, 1 m; it is 1.5 m"),
+            "a pin apart": ({"point": [point], "pin": [{"from": "pa", "to": [0, -1.02]}]}, r"must coincide; they are 0.02 m apart"),
+            "a negative mass": ({"point": [{**point, "mass": -1}]}, r"point\[1\]\.mass: must be greater than 0; it is -1"),
+            "a point inside a cube": ({"point": [point], "cube": [{"name": "c", "position": [0.1, -1]}]}, r'the point "pa" lies 0.4 m inside of "c"; move them apart'),
+            "two fixed places": ({"point": [point], "rod": [{"from": [0, 0], "to": [1, 0]}]}, r"joins two places that cannot move"),
+            "one body": ({"cube": [cube], "rod": [{"from": "a.nw", "to": "a.ne"}]}, r"joins two places of one body"),
+            "a mistyped key": ({"point": [point], "rod": [{"frm": "pa", "to": [0, 0]}]}, r'unknown key "frm"; did you mean "from"'),
+        }
+        for what, (scene, message) in cases.items():
+            with self.subTest(what):
+                for command in ("check", "run"):
+                    self.assertRegex(self.expect(2, command, self.scene(scene)).stderr, message)
+        again = {"point": [point], "rod": [{"from": "pa", "to": [0, 0]}, {"from": "pa", "to": [0, 0]}, {"from": "pa", "to": [0, 1]}]}
+        answer = json.loads(self.expect(0, "check", self.scene(again), "--json").stdout)
+        self.assertEqual([rod["unique"] for rod in answer["rods"]], [False] * 3)
+        self.assertAlmostEqual(sum(rod["force"] for rod in answer["rods"]), 9.81, delta=1e-9)
+
     def test_chains_and_trusses_have_names_and_forces(self):
         scene = {"truss": [{"count": 6, "from": [0, 0], "to": [6, 0]}],
                  "chain": [{"count": 3, "from": "truss1_b3", "to": [3, -3], "loose": True}]}
@@ -98,6 +167,22 @@ class Rods(ProgramTest):
         self.assertTrue(all(rod["unique"] for rod in rods.values()))
         more = self.expect(0, "check", self.scene(scene), "--set", "truss.truss1.kind=warren", "--json").stdout
         self.assertIn("truss1_diagonal12", more)
+
+    def test_the_scenes_of_the_readme_do_what_it_says(self):
+        with open(os.path.join(os.environ["PROJECT"], "README.md")) as page:
+            section = page.read().split("\n## Rods\n")[1].split("\n## ")[0]
+        pendulum, bridge = re.findall(r"```toml\n(.*?)```", section, re.DOTALL)
+        for name, text in (("pendulum.toml", pendulum), ("bridge.toml", bridge)):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        s = json.loads(self.expect(0, "run", "pendulum.toml", "--until", "2", "--json").stdout)
+        self.assertEqual(s["outcome"]["moved"], ["upper", "lower"])
+        said = self.expect(0, "check", "bridge.toml").stdout.splitlines()
+        shown = section.split("```\n$ wuerfel check")[1].split("```")[0].splitlines()[1:]
+        self.assertEqual(len(shown), 5)
+        for line in shown:
+            self.assertIn(line, said)
+        self.expect(0, "figure", "bridge.toml", "-o", "bridge.png", "--layers", "cubes,rod-forces,names,hud", "--size", "320x180")
 
     def test_pictures_of_points_and_rods_can_be_drawn(self):
         for layers in ("cubes", "cubes,rods", "cubes,rod-forces,forces,hud,names,velocities,trails"):

@@ -14,7 +14,7 @@ class Summary(ProgramTest):
         self.assertEqual(set(s["scene"]), {"title", "hash"})
         self.assertEqual(set(s["settings"]), {"integrator", "formulation", "solver", "tolerance", "step"})
         self.assertEqual(set(s["audit"]), {"max_penetration", "max_rod_error", "max_kkt_residual", "unresolved", "searches_given_up", "wedged", "friction_inexact",
-                                            "friction_residual", "restitution_reduced", "momentum", "momentum_settled", "energy", "state_hash"})
+                                            "friction_residual", "restitution_reduced", "rods_contradicting", "momentum", "momentum_settled", "energy", "state_hash"})
         self.assertEqual(set(s["audit"]["momentum"]), {"linear", "angular"})
         self.assertEqual(set(s["audit"]["energy"]), {"start", "end", "impact_loss", "friction_loss", "drift"})
         self.assertEqual(set(s["outcome"]), {"moved", "at_rest"})

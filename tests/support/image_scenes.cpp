@@ -126,6 +126,22 @@ Snapshot pyramid_snapshot() {
   return snapshot;
 }
 
+Snapshot failing_snapshot() {
+  Snapshot snapshot = pyramid_snapshot();
+  snapshot.joints[3].range = {2.0, 12.0};
+  snapshot.joints[4].range = {2.0, 40.0};
+  snapshot.joints[7].range = {0.0, 9.8};
+  snapshot.forces[0].range = {1.0, 9.0};
+  snapshot.causes = {{.part = {6},
+                      .centre = Vec2(1.75, 2.25),
+                      .corner = Vec2(1.6, 1.6),
+                      .beside = Vec2(1.75, 1.6),
+                      .outside = 0.15},
+                     {.part = {7}, .centre = Vec2(3.25, 3.0)}};
+  snapshot.mechanism = {{6, Vec2(0.5, -0.3), -0.6}, {7, Vec2(0.0, -1.0), 0.0}};
+  return snapshot;
+}
+
 Snapshot two_cubes_snapshot() {
   Snapshot snapshot;
   snapshot.title = "A(p_i, p_j, p_k)";
@@ -143,7 +159,8 @@ FrameOptions literal_options(Layers layers) {
   options.metres_per_speed = 0.5;
   options.metres_per_acceleration = 0.05;
   options.full_rod_force = 5.0;
-  options.legend = {LegendEntry::contact, LegendEntry::friction, LegendEntry::several};
+  options.legend = {LegendEntry::contact, LegendEntry::friction,  LegendEntry::several,
+                    LegendEntry::range,   LegendEntry::mechanism, LegendEntry::cause};
   return options;
 }
 

@@ -13,6 +13,9 @@ namespace wuerfel::test {
 /// layer can show.
 Snapshot pyramid_snapshot();
 
+/// The pyramid with ranges of some forces, two parts that fail and the motion in which they do.
+Snapshot failing_snapshot();
+
 /// Two cubes apart, with the triangles of Eq. (2): one corner outside, one inside (Figures 3 and 4
 /// of the paper).
 Snapshot two_cubes_snapshot();

@@ -1,9 +1,12 @@
 #include "core/qp/coulomb/contact_memory.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace wuerfel {
 namespace {
+
+constexpr int oldest = 4;  ///< programs for which a contact's mode is kept
 
 /// Whether the mode is one that the unit can have.
 bool fits(const ContactUnit& unit, ContactMode mode) {
@@ -28,28 +31,46 @@ const ContactMemory::Unit* ContactMemory::find(int unit,
 
 bool ContactMemory::recall(const ContactForm& form,
                            std::span<const std::uint64_t> keys,
+                           double weight,
                            std::vector<ContactMode>& modes,
                            std::vector<Pair>& l) const {
   const bool same_count = static_cast<int>(units_.size()) == form.count();
   if (units_.empty() || (keys.empty() ? keyed_ > 0 || !same_count : keyed_ == 0)) return false;
+  const double scale = weight > 0.0 && weight_ > 0.0 ? weight / weight_ : 1.0;
   for (int i = 0; i < form.count(); ++i) {
     const Unit* unit = find(i, keys);
     if (unit == nullptr || !fits(form.units()[i], unit->mode)) continue;
     modes[i] = unit->mode;
-    l[i] = unit->l;
+    l[i] = {scale * unit->l.n, scale * unit->l.t};
   }
   return true;
 }
 
+/// Modes of contacts that were not in the program of these keys, but not long ago.
+std::vector<ContactMemory::Unit> ContactMemory::others(std::span<const std::uint64_t> keys) const {
+  std::vector<std::uint64_t> present(keys.begin(), keys.end());
+  std::ranges::sort(present);
+  std::vector<Unit> others;
+  for (int i = 0; i < keyed_; ++i) {
+    const Unit& unit = units_[i];
+    if (unit.age < oldest && !std::ranges::binary_search(present, unit.key))
+      others.push_back({unit.key, unit.mode, {}, unit.age + 1});
+  }
+  return others;
+}
+
 void ContactMemory::remember(std::span<const std::uint64_t> keys,
+                             double weight,
                              const std::vector<ContactMode>& modes,
                              const std::vector<Pair>& l) {
-  units_.resize(modes.size());
-  keyed_ = static_cast<int>(keys.size());
+  std::vector<Unit> units;
+  if (!keys.empty()) units = others(keys);
+  keyed_ = static_cast<int>(units.size() + keys.size());
   for (std::size_t i = 0; i < modes.size(); ++i)
-    units_[i] = {i < keys.size() ? keys[i] : 0, modes[i], l[i]};
-  std::sort(units_.begin(), units_.begin() + keyed_,
-            [](const Unit& a, const Unit& b) { return a.key < b.key; });
+    units.push_back({i < keys.size() ? keys[i] : 0, modes[i], l[i]});
+  units_ = std::move(units);
+  weight_ = weight;
+  std::ranges::sort(units_.begin(), units_.begin() + keyed_, {}, &Unit::key);
 }
 
 }  // namespace wuerfel

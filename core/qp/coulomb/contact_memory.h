@@ -11,14 +11,17 @@ namespace wuerfel {
 
 class ContactMemory {
  public:
-  /// Those of the contacts that are still there: found by their keys, or, without keys, all of them
-  /// if there are as many units as before. Others keep the modes given, and no force. False if
-  /// nothing was remembered.
+  /// Those of the contacts that were there in one of the last programs: found by their keys, or, without keys, all of
+  /// them if there are as many units as before. Others keep the modes given, and no force. Forces grow as `weight`, the
+  /// largest of the program's, does: of displacements and of velocities they differ by the step. False if nothing was
+  /// remembered.
   bool recall(const ContactForm& form,
               std::span<const std::uint64_t> keys,
+              double weight,
               std::vector<ContactMode>& modes,
               std::vector<Pair>& l) const;
   void remember(std::span<const std::uint64_t> keys,
+                double weight,
                 const std::vector<ContactMode>& modes,
                 const std::vector<Pair>& l);
   void forget() { units_.clear(); }
@@ -28,11 +31,14 @@ class ContactMemory {
     std::uint64_t key = 0;
     ContactMode mode = ContactMode::open;
     Pair l;
+    int age = 0;  ///< programs since it was there
   };
   [[nodiscard]] const Unit* find(int unit, std::span<const std::uint64_t> keys) const;
+  [[nodiscard]] std::vector<Unit> others(std::span<const std::uint64_t> keys) const;
 
   std::vector<Unit> units_;  ///< by key, those without one behind
   int keyed_ = 0;
+  double weight_ = 0.0;  ///< of the last program
 };
 
 }  // namespace wuerfel

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int known_factorisations = 12;   ///< of newton from remembered modes
 constexpr int guessed_factorisations = 4;  ///< from none
+constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 4;
 constexpr int lemke_seeds = 3;
 constexpr int most_from_open = 600;  ///< contacts of programs for which lemke is tried
@@ -22,6 +23,11 @@ bool any_slides(const FrictionProgram& friction) {
 
 bool any_slips(const std::vector<ContactMode>& modes) {
   return std::ranges::any_of(modes, [](ContactMode mode) { return slip_sign(mode) != 0.0; });
+}
+
+/// Whether its bodies, if nothing acted between them, would not meet.
+bool is_apart(const ContactUnit& unit) {
+  return !unit.equality && unit.h.n * unit.per_velocity.n < -apart_share;
 }
 
 /// Whether x = 0 satisfies all rows, so that a solution exists. [Anitescu, Potra 1997]
@@ -100,7 +106,7 @@ void CoulombSolver::solve(const FrictionProgram& friction,
   result.status = solved ? QpStatus::optimal : QpStatus::inaccurate;
   if (any_slides(friction) && (!solved || w.stages.jams(friction, result)))
     result.status = QpStatus::infeasible;
-  w.memory.remember(keys, w.stages.modes, w.stages.forces());
+  w.memory.remember(keys, w.stages.weight(), w.stages.modes, w.stages.forces());
 }
 
 /// Modes and forces from memory; false if there are none.
@@ -109,8 +115,9 @@ bool CoulombSolver::Work::start(std::span<const std::uint64_t> keys) {
   stages.modes.resize(form.count());
   stages.point.reset(form);
   for (int i = 0; i < form.count(); ++i)
-    stages.modes[i] = CoulombStages::first_mode(form.units()[i]);
-  return memory.recall(form, keys, stages.modes, stages.point.l);
+    stages.modes[i] =
+        is_apart(form.units()[i]) ? ContactMode::open : CoulombStages::first_mode(form.units()[i]);
+  return memory.recall(form, keys, stages.weight(), stages.modes, stages.point.l);
 }
 
 /// Where slips are known nothing is convex, and the solution nearest to the former modes comes first.
@@ -129,6 +136,8 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
     // What slides is lifted by the convex relaxation: there is no use in asking it again.
     const bool slides = known && any_slips(stages.modes);
     if (known) {
+      start(keys);
+      if (stages.newton_softly(friction, result)) return true;
       start(keys);
       if (stages.follow_shortly(friction, result)) return true;
     }

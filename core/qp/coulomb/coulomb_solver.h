@@ -3,7 +3,7 @@
 /// Stages, each judged by CoulombJudge, the first within the tolerance is the answer:
 ///
 ///     certificate   the last forces still solve this program
-///     newton        from the modes remembered, or all sticking; by a short path from what is remembered
+///     newton        from the modes remembered, or what would meet sticking; with more compliance; by a short path
 ///     convex        the convex relaxation, where it happens to satisfy the exact law; then newton
 ///                   from its modes; not asked where something slipped in the modes remembered
 ///     interior      the interior point method on the exact law; newton from its modes

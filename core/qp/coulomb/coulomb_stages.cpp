@@ -13,6 +13,7 @@ constexpr double convex_tolerance = 1e-12;
 constexpr double worth_settling = 1e-4;  ///< of an interior point
 constexpr double interior_goal = 1e-7;   ///< where pairs vanish together no more is to be had
 constexpr double large_delta = 1e-4;     ///< of settling at first
+constexpr double soft_delta = 1e-2;
 constexpr int settling_factorisations = 40;
 constexpr double near_margin = 1e-9;
 constexpr double near_delta_fall = 0.1;
@@ -69,6 +70,16 @@ bool CoulombStages::newton(const FrictionProgram& friction,
       form_, modes, point, {.delta = path_delta, .most_factorisations = most_factorisations});
   result.factorisations += outcome.factorisations;
   return outcome.settled && judge_point(friction, CoulombStage::newton, result);
+}
+
+bool CoulombStages::newton_softly(const FrictionProgram& friction, CoulombResult& result) {
+  const ModeNewtonOutcome outcome =
+      mode_newton_.run(form_, modes, point,
+                       {.delta = soft_delta,
+                        .least_delta = usual_delta,
+                        .most_factorisations = settling_factorisations});
+  result.factorisations += outcome.factorisations;
+  return judge_point(friction, CoulombStage::newton, result);
 }
 
 void CoulombStages::take(const std::vector<double>& multiplier) {

@@ -25,6 +25,8 @@ class CoulombStages {
   /// Each true if the result is within the tolerance.
   bool certificate(const FrictionProgram& friction, CoulombResult& result);
   bool newton(const FrictionProgram& friction, int most_factorisations, CoulombResult& result);
+  /// Likewise, from so much compliance that wrong modes do no harm.
+  bool newton_softly(const FrictionProgram& friction, CoulombResult& result);
   bool follow_shortly(const FrictionProgram& friction, CoulombResult& result);
   bool relax(const FrictionProgram& friction, CoulombResult& result);
   bool interior(const FrictionProgram& friction,
@@ -44,6 +46,7 @@ class CoulombStages {
   [[nodiscard]] bool ended_on_ray() const { return ended_on_ray_; }
   /// What a contact of which nothing is known does.
   [[nodiscard]] static ContactMode first_mode(const ContactUnit& unit);
+  [[nodiscard]] double weight() const { return scales_.weight; }
   [[nodiscard]] const ContactForm& form() const { return form_; }
   /// Of the point judged last, within their cones.
   [[nodiscard]] const std::vector<Pair>& forces() const { return cone_; }

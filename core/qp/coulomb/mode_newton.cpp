@@ -10,6 +10,13 @@ constexpr double noise_share = 1e-13;
 constexpr int most_passes = 100;     ///< back-solves per factorisation
 constexpr double slow_share = 0.5;   ///< of what rows miss that a proximal step leaves
 constexpr double delta_fall = 1e-2;  ///< by which compliance shrinks then
+/// Proximal steps that get no nearer end here: what is left may be rounding.
+constexpr double near_goal = 2e-11;
+constexpr double stalled_share = 0.9;
+constexpr int most_stalled = 3;
+/// Newton's method is given up where so many factorisations in a row changed no fewer modes than the best one before.
+constexpr int most_no_better = 5;
+constexpr int few_modes = 3;
 
 /// What the forces and velocities of a unit ask for.
 ContactMode wanted_mode(const ContactUnit& unit,
@@ -119,14 +126,17 @@ ModeNewton::Outcome ModeNewton::take_proximal_steps(const ContactForm& form,
                                                     ContactPoint& point,
                                                     const ModeNewtonEffort& effort) {
   double former = unbounded;
+  int stalled = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     step(form, point);
     find_missing(form, point);
-    if (revise_modes(form, point.l, missing_, noise_share, modes) > 0) return Outcome::moved;
+    revised_ = revise_modes(form, point.l, missing_, noise_share, modes);
+    if (revised_ > 0) return Outcome::moved;
     centre_ = point.l;
-    visited_.clear();
+    search_ = {};
     const double missed = missed_by(form, modes, point);
-    if (missed <= effort.goal) {
+    stalled = missed < stalled_share * former ? 0 : stalled + 1;
+    if (missed <= effort.goal || (missed <= near_goal && stalled == most_stalled)) {
       step(form, point);  // what compliance has left is rounding then
       return Outcome::settled;
     }
@@ -136,12 +146,15 @@ ModeNewton::Outcome ModeNewton::take_proximal_steps(const ContactForm& form,
   return Outcome::stuck;
 }
 
-/// Whether Newton's method was at these modes before, since the centre of compliance moved: from there on it would
+/// Whether Newton's method approaches a solution since modes were confirmed. Where it was at these modes before it would
 /// repeat itself.
-bool ModeNewton::goes_round(const std::vector<ContactMode>& modes) {
-  if (std::ranges::find(visited_, modes) != visited_.end()) return true;
-  visited_.push_back(modes);
-  return false;
+bool ModeNewton::gets_on(const std::vector<ContactMode>& modes) {
+  Search& s = search_;
+  if (std::ranges::find(s.visited, modes) != s.visited.end()) return false;
+  s.visited.push_back(modes);
+  s.no_better = revised_ < s.fewest ? 0 : s.no_better + 1;
+  s.fewest = std::min(s.fewest, revised_);
+  return s.no_better < most_no_better || revised_ <= few_modes;
 }
 
 ModeNewtonOutcome ModeNewton::run(ContactForm& form,
@@ -150,7 +163,7 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
                                   const ModeNewtonEffort& effort) {
   ModeNewtonOutcome outcome;
   delta_ = effort.delta;
-  visited_.clear();
+  search_ = {};
   follow_modes(form, modes, point);
   centre_ = point.l;
   while (outcome.factorisations < effort.most_factorisations) {
@@ -160,7 +173,7 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
     outcome.settled = found == Outcome::settled;
     if (outcome.settled || found == Outcome::stuck) return outcome;
     if (found == Outcome::slow) delta_ = std::max(delta_fall * delta_, effort.least_delta);
-    if (found == Outcome::moved && goes_round(modes)) return outcome;
+    if (found == Outcome::moved && !gets_on(modes)) return outcome;
     follow_modes(form, modes, point);
   }
   return outcome;

@@ -8,6 +8,7 @@
 /// with the first and shrinks where proximal steps are slow.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/qp/coulomb/contact_modes.h"
@@ -35,20 +36,27 @@ class ModeNewton {
                         const ModeNewtonEffort& effort);
 
  private:
+  /// Since modes were confirmed.
+  struct Search {
+    std::vector<std::vector<ContactMode>> visited;
+    int fewest = std::numeric_limits<int>::max();  ///< modes revised at a step
+    int no_better = 0;                             ///< steps in a row that revised no fewer
+  };
   enum class Outcome { moved, slow, stuck, settled };
   Outcome take_proximal_steps(const ContactForm& form,
                               std::vector<ContactMode>& modes,
                               ContactPoint& point,
                               const ModeNewtonEffort& effort);
-  bool goes_round(const std::vector<ContactMode>& modes);
+  bool gets_on(const std::vector<ContactMode>& modes);
   void step(const ContactForm& form, ContactPoint& point);
   void find_missing(const ContactForm& form, const ContactPoint& point);
 
   ModeSystem system_;
   double delta_ = 0.0;
-  std::vector<Pair> centre_;                       ///< forces from which compliance counts
-  std::vector<std::vector<ContactMode>> visited_;  ///< modes since the centre moved
-  std::vector<Pair> missing_;                      ///< of the rows, compliance included
+  int revised_ = 0;           ///< modes, at the last step
+  std::vector<Pair> centre_;  ///< forces from which compliance counts
+  Search search_;
+  std::vector<Pair> missing_;  ///< of the rows, compliance included
   std::vector<Quad> unbalance_;
 };
 

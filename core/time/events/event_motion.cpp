@@ -5,8 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/dynamics/momentum.h"
 #include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 namespace {
@@ -144,7 +146,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   pieces.push_back(last_piece());
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
   clock_ += step.elapsed;
-  if (event) {
+  if (event || phase_.rods_contradict()) {
     const bool instant = step.elapsed <= instant_share * phase_.scales().time;
     instant_events_ = instant ? instant_events_ + 1 : 0;
     begin_phase(State(step.end), ended_phase(), {}, book);
@@ -178,6 +180,7 @@ void EventMotion::begin_phase(const State& state,
   };
   series_.note(now.events, stays, longest_tail * scales_of(*system_, state).time);
   note_instant(now, book);
+  if (!now.contradicting.empty()) note_contradiction(*system_, now.contradicting, clock_, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
   phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
@@ -193,6 +196,8 @@ void EventMotion::begin_phase(const State& state,
   if (loss > -lifted) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
   forces_.begin(phase_, zero_load);
+  // A body on a rod that is alone in the world meets nobody and releases nothing.
+  phase_.set_watched(!modes_.closed.contacts.empty() || geometry_.watches());
 }
 
 /// The first event within a step.
@@ -269,11 +274,15 @@ FormerPhase EventMotion::ended_phase() const {
 State EventMotion::look(const MotionPiece& piece, double t) {
   State state = piece.start;
   if (t <= piece.begin) return state;
-  look_at(piece.motion, (t - piece.begin) / piece.length, state);
+  const bool known = !piece.motion.coefficients.empty();
+  look_at(known ? piece.motion : motion_of(*system_, piece), (t - piece.begin) / piece.length,
+          state);
   if (!piece.closed.empty() || !system_->rods.empty()) {
     looker_.close(piece.closed, piece.resting, piece.touches);
     project_places(looker_, state);
     project_velocities(looker_, state);
+    for (const std::vector<int>& cubes : flying_groups(*system_, piece.closed, piece.resting))
+      keep_momenta(*system_, cubes, piece.start, t - piece.begin, state);
   }
   return state;
 }

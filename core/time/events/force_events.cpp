@@ -143,7 +143,7 @@ std::optional<ForceEvents::First> ForceEvents::first_release(SmoothPhase& phase,
                                                              double until) const {
   std::optional<First> result;
   LoadsInStep loads(phase);
-  const std::vector<LoadRange>& ranges = phase.last().load_range;
+  const std::vector<BorneRange>& ranges = phase.last().load_range;
   for (int k = from; k < static_cast<int>(loads_.size()); ++k) {
     const double least = ranges[k].low + loads_[k].shift;
     // What is further from zero than its range over all evaluations has no zero between them.
@@ -159,7 +159,7 @@ std::optional<ForceEvents::First> ForceEvents::first_opening(SmoothPhase& phase,
                                                              double until,
                                                              double gravity,
                                                              Workspace& work) const {
-  const std::vector<LoadRange>& ranges = phase.last().load_range;
+  const std::vector<BorneRange>& ranges = phase.last().load_range;
   const auto is_negative = [&](int k) { return ranges[k].low + loads_[k].shift < 0.0; };
   bool negative = false;
   for (int k = 0; k < first_slip_; ++k)

@@ -125,10 +125,13 @@ void GeometricEvents::search(const EventFunction& f, Search& result) const {
   result.first->function.arming = found.arming;
 }
 
+bool GeometricEvents::watches() const { return !functions_.empty() || box_count(*system_) > 1; }
+
 GeometricEvents::Search GeometricEvents::first(const DenseStep& motion,
                                                double length,
                                                const std::vector<TwistRange>& range) {
   Search result;
+  if (!watches()) return result;
   view_.set(motion, length, range);
   for (const EventFunction& f : functions_)
     search(f, result);

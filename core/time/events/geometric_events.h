@@ -21,6 +21,9 @@ class GeometricEvents {
     double share = 1.0;
     EventFunction function;
   };
+  /// Whether there is anybody to be met: a body that is alone in the world, as a pendulum, meets nobody.
+  [[nodiscard]] bool watches() const;
+
   struct Search {
     std::optional<First> first;
     int given_up = 0;  ///< functions of which a zero could not be excluded

@@ -5,9 +5,11 @@
 
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/rod_jam.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/time/events/contact_changes.h"
 #include "core/time/events/corrections.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 namespace {
@@ -88,6 +90,23 @@ void add_jerks(const System& system,
   }
 }
 
+/// Velocities that rods cannot go on with are taken by an impact of the rods; whether there was one. At the start they are
+/// an error of the scene.
+bool jam_rods(const Island& island, double t, bool hits, Instant& now, Workspace& work) {
+  if (island.rods.size() < 2 || t == 0.0) return false;
+  const System& system = *work.system;
+  const RodJam jam = rod_jam(system, now.state, island);
+  if (jam.rods.empty()) return false;
+  work.solves.add(jam.hit.after);
+  if (!hits) now.contradicting = jam.rods;
+  const State before = now.state;
+  set_velocities(island, jam.hit.after.twists, now.state);
+  for (Event& e : jam_events(system, before, now.state, jam.rods, t))
+    now.events.push_back(std::move(e));
+  add_impacts(system, island, jam.hit, t, EventKind::jam, now);
+  return true;
+}
+
 void add_rest(const System& system, const Island& island, int cube, double t, Instant& now) {
   const auto touching = std::ranges::find_if(
       island.contacts, [&](const Contact& c) { return c.on == cube || c.from == cube; });
@@ -162,7 +181,7 @@ void happen_to(const Island& island,
       std::ranges::any_of(island.cubes, [&](int cube) { return now.modes.resting[cube] != 0; });
   for (const int cube : island.cubes)
     now.modes.resting[cube] = 0;
-  const bool hits = closes(system, now.state, island);
+  bool hits = closes(system, now.state, island);
   if (hits) {
     const bool special = rubs(system, island) || bounces(system, island);
     const double slow = slowest_bounce * scales.speed;
@@ -173,6 +192,7 @@ void happen_to(const Island& island,
     set_velocities(island, hit.after.twists, now.state);
     add_impacts(system, island, hit, t, EventKind::impact, now);
   }
+  hits = jam_rods(island, t, hits, now, work) || hits;
   if (rests(island, now.state, scales, limits, work)) {
     stop(system, island, t, !rested && t > 0.0, now);
   } else {

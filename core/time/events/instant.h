@@ -13,6 +13,7 @@ struct Instant {
   ContactModes modes;  ///< of the phase that begins
   std::vector<Event> events;
   ContactFinder::Overlap deepest;  ///< that there was
+  std::vector<int> contradicting;  ///< rods, where nothing was struck
   Push push;                       ///< by fixed bodies, of its impacts
   Push settled;                    ///< by them, where velocities were put on what stays closed
   long skipped_rest = 0;           ///< islands in certified rest

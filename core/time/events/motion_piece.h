@@ -24,7 +24,8 @@ struct MotionPiece {
   double begin = 0.0;   ///< s
   double length = 0.0;  ///< s, of the polynomial; an event may have cut it short
   State start;
-  DenseStep motion;  ///< of a smooth piece
+  DenseStep
+      motion;  ///< of a smooth piece; empty where nobody was to look into its step (motion_of)
   /// Contacts that stay closed in a smooth piece, or carry load in a stepped one.
   std::vector<Contact> closed;
   std::shared_ptr<const StepRecord> record;  ///< of a stepped piece

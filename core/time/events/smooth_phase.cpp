@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/dynamics/momentum.h"
+#include "core/dynamics/rod_consistency.h"
+
 namespace wuerfel {
 namespace {
 
@@ -48,9 +51,15 @@ void set_parabola(const std::vector<double>& y,
 
 void EquationsOfMotion::close(ContactSet closed, const std::vector<char>& resting) {
   contacts_.close(closed.contacts, resting, closed.touches);
+  flying_ = flying_groups(contacts_.system(), contacts_.contacts(), resting);
   touches_ = std::move(closed.touches);
   slips_ = static_cast<int>(
       std::ranges::count_if(touches_, [](const Touch& t) { return t.slips != 0; }));
+}
+
+void EquationsOfMotion::keep_momenta(const State& from, double t, State& state) const {
+  for (const std::vector<int>& cubes : flying_)
+    wuerfel::keep_momenta(contacts_.system(), cubes, from, t, state);
 }
 
 void EquationsOfMotion::operator()(const std::vector<double>& y, std::vector<double>& rate) {
@@ -77,6 +86,7 @@ void EquationsOfMotion::project(State& state) {
 }
 
 void EquationsOfMotion::find_loads(std::vector<double>& loads) const {
+  if (contacts_.contacts().empty()) return loads.clear();
   wuerfel::find_loads(touches_, contacts_.contacts(), contacts_.forces(), loads);
   const RubbingContacts& rubbing = contacts_.rubbing();
   if (!rubbing.any()) return;
@@ -119,7 +129,7 @@ void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& ra
   step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
                                          -std::numeric_limits<double>::infinity()});
   for (std::size_t k = 0; k < seen_.size(); ++k) {
-    LoadRange& range = step_.load_range[k];
+    BorneRange& range = step_.load_range[k];
     range = {std::min(range.low, seen_[k]), std::max(range.high, seen_[k])};
   }
 }
@@ -195,11 +205,20 @@ void SmoothPhase::complete(double length) {
   unpack(method_.next(), step_.end);
   if (equations_.on_fixed()) step_.flown = step_.end;
   equations_.project(step_.end);
+  equations_.keep_momenta(start_, length, step_.end);
   pack(step_.end, step_.y);
   evaluate(step_.y, step_.rate);
   end_push_ = equations_.pushed();
   step_.loads = seen_;
+  step_.elapsed = step_.length = length;
+  step_.motion.coefficients.clear();
+  if (!watched_) return;
   method_.dense(field, y_, step_.rate, step_.motion);
+  note_range();
+}
+
+/// Accelerations over all stages and at the end.
+void SmoothPhase::note_range() {
   step_.range.resize(start_.size());
   for (int i = 0; i < static_cast<int>(start_.size()); ++i) {
     TwistRange& range = step_.range[i];
@@ -210,7 +229,6 @@ void SmoothPhase::complete(double length) {
       range.high = {range.high.linear.cwiseMax(a.linear), std::max(range.high.angular, a.angular)};
     }
   }
-  step_.elapsed = step_.length = length;
 }
 
 void SmoothPhase::cut(double length) {
@@ -246,6 +264,17 @@ void SmoothPhase::shift_end(double time) {
   step_.push += time * end_push_;
 }
 
+bool SmoothPhase::rods_contradict() const {
+  if (system_->rods.size() < 2 || !equations_.redundant()) return false;
+  State accelerated = step_.end;
+  for (int i = 0; i < static_cast<int>(accelerated.size()); ++i) {
+    const Twist a = acceleration_of(step_.rate, i);
+    accelerated[i].velocity = a.linear;
+    accelerated[i].spin = a.angular;
+  }
+  return misses_rods(*system_, step_.end, accelerated);
+}
+
 void SmoothPhase::go_on() {
   start_ = step_.end;
   y_ = step_.y;
@@ -260,6 +289,27 @@ void SmoothPhase::loads_at(const State& state, std::vector<double>& loads) {
   pack(state, y);
   equations_(y, rate);
   equations_.find_loads(loads);
+}
+
+DenseStep motion_of(const System& system, const MotionPiece& piece) {
+  EquationsOfMotion equations(system);
+  equations.close({piece.closed, piece.touches}, piece.resting);
+  Dop853 method;
+  std::vector<double> y;
+  std::vector<double> rate;
+  pack(piece.start, y);
+  equations(y, rate);
+  method.step(equations, y, rate, piece.length);
+  State end = piece.start;
+  unpack(method.next(), end);
+  equations.project(end);
+  equations.keep_momenta(piece.start, piece.length, end);
+  std::vector<double> y_end;
+  pack(end, y_end);
+  equations(y_end, rate);
+  DenseStep motion;
+  method.dense(equations, y, rate, motion);
+  return motion;
 }
 
 }  // namespace wuerfel

@@ -15,23 +15,23 @@ namespace wuerfel {
 
 /// What the contacts of a phase bear (find_loads) over all evaluations of a step, and the other
 /// functions that must stay positive.
-struct LoadRange {
+struct BorneRange {
   double low = 0.0;  ///< N
   double high = 0.0;
 };
 
 /// A step, which may have been cut short after `elapsed`.
 struct SmoothStep {
-  double elapsed = 0.0;  ///< s
-  double length = 0.0;   ///< s, of the polynomial
-  DenseStep motion;
-  std::vector<TwistRange> range;      ///< of accelerations, one per cube
-  std::vector<LoadRange> load_range;  ///< one per load
-  State end;                          ///< after `elapsed`, on the contacts
-  std::vector<double> y;              ///< the same, packed
-  std::vector<double> rate;           ///< and its rate
-  std::vector<double> loads;          ///< N, there
-  Push push;                          ///< by fixed bodies, in the step
+  double elapsed = 0.0;                ///< s
+  double length = 0.0;                 ///< s, of the polynomial
+  DenseStep motion;                    ///< where the phase is watched
+  std::vector<TwistRange> range;       ///< of accelerations, one per cube; likewise
+  std::vector<BorneRange> load_range;  ///< one per load
+  State end;                           ///< after `elapsed`, on the contacts
+  std::vector<double> y;               ///< the same, packed
+  std::vector<double> rate;            ///< and its rate
+  std::vector<double> loads;           ///< N, there
+  Push push;                           ///< by fixed bodies, in the step
   State flown;  ///< its end before it was put on contacts with fixed bodies; empty: it was not
   /// Whether the error is small enough; else the contacts' rows nearly depend on one another, and
   /// accelerations are no smooth function any more.
@@ -47,6 +47,8 @@ class EquationsOfMotion {
   void operator()(const std::vector<double>& y, std::vector<double>& rate);
   /// Puts a state on the closed contacts.
   void project(State& state);
+  /// What rods join and nothing fixed touches keeps its momenta in t s since `from`, to rounding.
+  void keep_momenta(const State& from, double t, State& state) const;
 
   /// What must stay positive, at the state of the last call: what the closed contacts bear; how far
   /// touches that stick are from slipping; how fast touches slip, from `first_slip` on.
@@ -69,6 +71,7 @@ class EquationsOfMotion {
  private:
   ClosedContacts contacts_;
   std::vector<Touch> touches_;
+  std::vector<std::vector<int>> flying_;
   int slips_ = 0;              ///< touches that slip
   State state_;                ///< scratch of a call
   std::vector<Twist> twists_;  ///< likewise
@@ -97,6 +100,8 @@ class SmoothPhase {
   /// The closed contacts, as they are at the last state that was asked for.
   [[nodiscard]] ContactSet closed() const { return {equations_.contacts(), equations_.touches()}; }
 
+  /// Whether somebody looks into steps while they are taken; else they have no polynomial (motion_of makes it).
+  void set_watched(bool watched) { watched_ = watched; }
   /// Takes a step of at most `most` s.
   const SmoothStep& step(double most);
   [[nodiscard]] const SmoothStep& last() const { return step_; }
@@ -114,6 +119,8 @@ class SmoothPhase {
   /// Puts a state on the closed contacts.
   void project(State& state) { equations_.project(state); }
   [[nodiscard]] bool redundant() const { return equations_.redundant(); }
+  /// Whether no accelerations keep the lengths of all rods at the end of the step.
+  [[nodiscard]] bool rods_contradict() const;
   [[nodiscard]] bool free() const { return parabolas_ && equations_.free(); }
 
  private:
@@ -122,6 +129,7 @@ class SmoothPhase {
   void fall(double most);
   void integrate(double most);
   void complete(double length);
+  void note_range();
   [[nodiscard]] State shifted(State state, double time) const;
 
   const System* system_;
@@ -139,7 +147,11 @@ class SmoothPhase {
   SmoothStep step_;
   double proposed_ = 0.0;  ///< s, length of the next step
   bool parabolas_ = true;
+  bool watched_ = true;
   double fall_ = 0.0;  ///< s, of the next free fall
 };
+
+/// The polynomial of a smooth piece that has none: its step again.
+DenseStep motion_of(const System& system, const MotionPiece& piece);
 
 }  // namespace wuerfel

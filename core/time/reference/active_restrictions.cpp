@@ -6,6 +6,8 @@
 #include "core/dynamics/forces_at.h"
 #include "core/dynamics/impact.h"
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/rod_jam.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 
@@ -14,7 +16,7 @@ ActiveRestrictions::ActiveRestrictions(const System& system, const MotionSetting
 
 void ActiveRestrictions::find(GridPoint& point, Bookkeeping& book) {
   const GridPoint before = std::move(point);
-  point = {before.t, before.state, {}, {}, {}, before.push, before.resting};
+  point = {before.t, before.state, {}, {}, {}, before.push, before.resting, {}};
   point.resting.resize(system_->cubes, 0);
   std::vector<Contact> contacts;
   finder_.find(*system_, point.state, contacts);
@@ -31,7 +33,9 @@ void ActiveRestrictions::find(GridPoint& point, Bookkeeping& book) {
   for (const Island& island : point.islands) {
     if (point.rests(island)) continue;
     // (3) must hold where (2) = 0: an impact.
-    if (closes(*system_, point.state, island)) strike(point, island, lasting, book);
+    const bool struck = closes(*system_, point.state, island);
+    if (struck) strike(point, island, lasting, book);
+    jam(point, island, struck, before.jammed, book);
     settle(island, point.state);
   }
 }
@@ -76,6 +80,28 @@ void ActiveRestrictions::strike(GridPoint& point,
     book.events.push_back({point.t, EventKind::impact, system_->body(c.on).name,
                            system_->body(c.from).name, c.point, after.forces[k]});
   }
+}
+
+/// Velocities that rods cannot go on with are taken at once. Where that happens again and again, or nothing was struck,
+/// forces go on to drive what the rods hold. `jammed`: rods of the grid time before. At the start they are an error of the
+/// scene.
+void ActiveRestrictions::jam(GridPoint& point,
+                             const Island& island,
+                             bool struck,
+                             const std::vector<int>& jammed,
+                             Bookkeeping& book) const {
+  if (island.rods.size() < 2 || point.t == 0.0) return;
+  const RodJam jam = rod_jam(*system_, point.state, island);
+  if (jam.rods.empty()) return;
+  keep_book(jam.hit.after, book);
+  const State before = point.state;
+  set_velocities(island, jam.hit.after.twists, point.state);
+  point.push += unexplained(*system_, before, point.state, 0.0, {});
+  book.audit.impact_loss += jam.hit.loss;
+  if (!struck || jam.rods == jammed) note_contradiction(*system_, jam.rods, point.t, book);
+  for (Event& e : jam_events(*system_, before, point.state, jam.rods, point.t))
+    book.events.push_back(std::move(e));
+  point.jammed.insert(point.jammed.end(), jam.rods.begin(), jam.rods.end());
 }
 
 /// Velocities that count as zero become zero, so that rest can be certified.

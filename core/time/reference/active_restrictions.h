@@ -26,6 +26,11 @@ class ActiveRestrictions {
               const Island& island,
               const std::vector<ContactId>& lasting,
               Bookkeeping& book);
+  void jam(GridPoint& point,
+           const Island& island,
+           bool struck,
+           const std::vector<int>& jammed,
+           Bookkeeping& book) const;
   void settle(const Island& island, State& state) const;
 
   const System* system_;

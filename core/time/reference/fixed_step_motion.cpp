@@ -6,10 +6,14 @@
 #include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
 #include "core/time/policy.h"
+#include "core/time/promises.h"
+#include "core/time/rod_events.h"
 
 namespace wuerfel {
 namespace {
 
+/// What Moreau's steps may gain, as a share of what was in motion and was lost.
+constexpr double gained_share = 0.1;
 /// Share of a step within which a time counts as a grid time.
 constexpr double same_time = 1e-9;
 
@@ -22,6 +26,8 @@ FixedStepMotion::FixedStepMotion(const System& system,
       settings_(settings),
       method_(make_method()),
       scales_(scales_of(system, start)),
+      energy_start_(energy(system, start)),
+      in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
       momentum_(momentum_scale(system, start, scales_.speed)) {
   begin(start);
 }
@@ -34,6 +40,8 @@ FixedStepMotion::FixedStepMotion(const System& system,
       settings_(settings),
       method_(make_method()),
       scales_(scales_of(system, start)),
+      energy_start_(energy(system, start)),
+      in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
       momentum_(point.momentum),
       hash_(point.hash),
       book_(point.book),
@@ -91,6 +99,16 @@ void FixedStepMotion::step() {
   note_unexplained(momentum_, book_);
   hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
+  if (policy_of(settings_).method == MotionPolicy::Method::moreau) note_energy();
+}
+
+/// Moreau's steps lose energy by themselves and gain none but by their order: what gains more is wrong.
+void FixedStepMotion::note_energy() {
+  const double gained = energy(*system_, grid_.state) + book_.audit.impact_loss - energy_start_;
+  const double budget = gained_share * (in_motion_ + book_.audit.impact_loss);
+  if (gained <= budget || book_.audit.drift_budget > 0.0) return;
+  book_.audit.drift_budget = budget;
+  book_.breaches.push_back({Promise::energy, grid_.t, {}});
 }
 
 const State& FixedStepMotion::state() {
@@ -114,8 +132,11 @@ void FixedStepMotion::note_rods() {
     const double error = largest_rod_error(points_of(grid_.state[i], size), size);
     book_.audit.max_rod_error = std::max(book_.audit.max_rod_error, error);
   }
+  const bool kept = book_.audit.max_rod_error <= promised_rod_error;
   book_.audit.max_rod_error =
       std::max(book_.audit.max_rod_error, largest_rod_error(*system_, grid_.state));
+  if (kept && book_.audit.max_rod_error > promised_rod_error)
+    book_.breaches.push_back({Promise::rods, grid_.t, lost_rods(*system_, grid_.state)});
 }
 
 }  // namespace wuerfel

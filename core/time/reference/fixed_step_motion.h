@@ -35,15 +35,18 @@ class FixedStepMotion final : public Motion {
   void restart();
   void begin(const State& state);
   void note_rods();
+  void note_energy();
 
   const System* system_;
   MotionSettings settings_;
   Method method_;
   GridPoint grid_;
   Scales scales_;
-  MomentumScale momentum_;  ///< the largest up to now
-  StateHash hash_;          ///< of the grid points
-  State between_;           ///< at `time_`, where that is no grid time; empty until it is asked for
+  double energy_start_ = 0.0;  ///< J
+  double in_motion_ = 0.0;     ///< J, at the start
+  MomentumScale momentum_;     ///< the largest up to now
+  StateHash hash_;             ///< of the grid points
+  State between_;  ///< at `time_`, where that is no grid time; empty until it is asked for
   Bookkeeping book_;
   long whole_steps_ = 0;
   long work_ = 0;      ///< steps times cubes since the last restart

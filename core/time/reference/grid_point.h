@@ -17,6 +17,7 @@ struct GridPoint {
   std::vector<Twist> accelerations;  ///< one per cube; empty until asked for
   Push push;                         ///< by fixed bodies, in the step that leads here
   std::vector<char> resting;         ///< per cube: certified, v = 0 and a = 0
+  std::vector<int> jammed;           ///< rods that contradicted each other
 
   [[nodiscard]] bool rests(const Island& island) const;
   /// Whether every cube rests, so that steps change nothing but the time.

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/time/policy.h"
+#include "core/time/promises.h"
 
 namespace wuerfel {
 namespace {
 
-/// Steps are halved where the error is more, where energy rises by more than this share of what the
-/// group has in motion, or where overlap is left, but not below a sixteenth; what still overlaps
-/// then stops short.
+/// Steps are halved where the error is more, where rods miss their lengths, where energy rises by more than this share of
+/// what the group has in motion, or where overlap is left, but not below a sixteenth; what still overlaps then stops
+/// short.
 constexpr double rise_share = 1e-4;
 /// What of that nothing can pay for is to be no more than this share of it.
 constexpr double unpaid_share = 1e-4;
 constexpr double shortest_share = 1.0 / 16.0;
+/// Where energy sways a step may add no more than this share of what it may sway by.
+constexpr double sway_of_step = 0.1;
 /// They are doubled where error and rise are below these shares of what is allowed.
 constexpr double doubled_error = 0.1;
 constexpr double doubled_rise = 0.2;
@@ -27,7 +31,8 @@ constexpr double same_time = 1e-7;
 ControlledStepping::ControlledStepping(const System& system, const MotionSettings& settings)
     : system_(&system),
       stepper_(system, settings, policy_of(settings).sway),
-      allowed_error_(policy_of(settings).allowed_error) {}
+      allowed_error_(policy_of(settings).allowed_error),
+      sway_(policy_of(settings).sway) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);
@@ -45,7 +50,8 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   Step step = take_step(t, h);
   if (whole == step_) {
     const bool easy = h == wanted && step.error <= doubled_error * allowed_error_
-                      && step.rise.whole <= doubled_rise * bearable_rise();
+                      && step.rise.whole <= doubled_rise * bearable_rise()
+                      && step.rise.sway <= doubled_error * bearable_sway();
     step_ = std::clamp(easy ? 2.0 * h : h, shortest_share * longest_, longest_);
   }
   add(step.book, book);
@@ -55,9 +61,24 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   return h == end - t ? end : t + h;
 }
 
+/// Energy that is in motion, J.
+double ControlledStepping::in_motion() const {
+  return kinetic_energy(*system_, state_) + scales_.weight * scales_.length;
+}
+
 /// By how much energy may rise in a step before it is put right, J.
-double ControlledStepping::bearable_rise() const {
-  return rise_share * (kinetic_energy(*system_, state_) + scales_.weight * scales_.length);
+double ControlledStepping::bearable_rise() const { return rise_share * in_motion(); }
+
+/// By how much a step may change energy that sways, J.
+double ControlledStepping::bearable_sway() const {
+  return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : std::numeric_limits<double>::infinity();
+}
+
+/// Whether the error of a step and what it changed the energy by are small enough.
+bool ControlledStepping::is_exact(const Step& step) const {
+  return step.rise.sway <= bearable_sway() && step.error <= allowed_error_
+         && step.rise.whole <= bearable_rise()
+         && step.rise.unpaid <= unpaid_share * bearable_rise();
 }
 
 /// The longest step of h, h / 2, h / 4 .. that is good enough; `h` becomes its length.
@@ -68,9 +89,8 @@ Step ControlledStepping::take_step(double t, double& h) {
     Step step = stepper_.step(state_, t, h);
     step.book.cost = sum_of(step.book.cost, tried);
     const bool clean = step.overlap <= overlap_share;
-    const bool exact = step.error <= allowed_error_ && step.rise.whole <= bearable_rise()
-                       && step.rise.unpaid <= unpaid_share * bearable_rise();
-    if (clean && (exact || h <= shortest)) return step;
+    const bool kept = step.book.audit.max_rod_error <= promised_rod_error;
+    if (clean && ((kept && is_exact(step)) || h <= shortest)) return step;
     if (h <= shortest) {
       step = stepper_.stop_short(std::move(step), t);
       ++step.book.audit.unresolved;

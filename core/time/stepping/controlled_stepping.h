@@ -24,13 +24,17 @@ class ControlledStepping {
   [[nodiscard]] State with_closed_gaps();
 
  private:
+  [[nodiscard]] double in_motion() const;
   [[nodiscard]] double bearable_rise() const;
+  [[nodiscard]] double bearable_sway() const;
+  [[nodiscard]] bool is_exact(const Step& step) const;
   Step take_step(double t, double& h);
 
   const System* system_;
   RattleStepper stepper_;
   Scales scales_;
   double allowed_error_ = 0.0;  ///< of a step, as a share of the smallest side
+  double sway_ = 0.0;           ///< MotionPolicy::sway
   State state_;
   std::shared_ptr<const StepRecord> record_;
   double step_ = 0.0;     ///< s, proposed for the next step

@@ -21,8 +21,8 @@ constexpr int most_rounds = 8;
 /// nearer than this share of the smaller side, and no farther apart than near_share.
 constexpr double pushed_times = 20.0;
 constexpr double nearest_share = 1e-7;
-/// Displacements beyond this share of the smallest side, and beyond so many times the overlap, are
-/// no clean-up any more.
+/// Displacements beyond this share of the smallest side, and beyond so many times the overlap or what rods miss, are no
+/// clean-up any more.
 constexpr double displaced_share = 1e-2;
 constexpr double displaced_times = 100.0;
 constexpr int most_halvings = 50;
@@ -78,7 +78,10 @@ std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
   for (Island& island : islands) {
     if (!overlaps(*system_, island, overlap_share) && keeps_lengths(state, island.rods)) continue;
     parts.push_back(apart(std::move(island)));
-    parts.back().farthest = std::max(displaced_share, displaced_times * left_) * scales_.length;
+    double missed = left_ * scales_.length;
+    for (const int rod : parts.back().island.rods)
+      missed = std::max(missed, std::abs(rod_excess(system_->rods[rod], state)));
+    parts.back().farthest = std::max(displaced_share * scales_.length, displaced_times * missed);
   }
   return parts;
 }

@@ -10,6 +10,7 @@
 #include "core/dynamics/momentum.h"
 #include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
+#include "core/time/rod_events.h"
 #include "core/time/stepping/close_gaps.h"
 #include "core/time/stepping/step_books.h"
 
@@ -19,6 +20,11 @@ namespace {
 // Shares of the smaller side of a pair.
 constexpr double pressed_share =
     1e-3;  ///< contacts that were pressed take part in the velocity program up to here
+constexpr double held_share = 1e-9;  ///< gaps up to here stay what they are where sides rub
+/// Rods may contradict each other that a placement leaves farther off their lengths than this share of them, and than
+/// this share of what the first one left.
+constexpr double jammed_share = 1e-10;
+constexpr double still_missed = 0.5;
 constexpr int most_bends = 4;  ///< placements that follow the first one where rods hold
 
 /// The impulse on the body of the corner.
@@ -123,12 +129,13 @@ IslandSolution RattleStepper::apart(const Island& island,
                                     Bookkeeping& book) {
   Restricted part = removal_.apart(island);
   if (rubs(*system_, island)) {
-    // Gaps are not opened against friction: staying put is to be possible, or there may be no solution (a cube in a
-    // corner that rubs).
+    // Gaps are neither opened nor closed against friction where bodies touch: staying put is to be possible, or there
+    // may be no solution (a cube in a corner that rubs).
     for (std::size_t k = 0; k < part.margins.size(); ++k) {
       const Contact start =
           at_poses(*system_, removal_.near().start_boxes(), part.island.contacts[k]);
-      part.margins[k] = std::min(part.margins[k], start.gap);
+      const bool touches = start.gap < held_share * contact_scale(*system_, start);
+      part.margins[k] = touches ? start.gap : std::min(part.margins[k], start.gap);
     }
     IslandSolution solution = work_.friction.placement(stride_.start, with_margins(part), targets);
     keep_book(solution, book);
@@ -257,6 +264,7 @@ void RattleStepper::bend(const Island& island,
     return;
   }
   IslandSolution placed = straight;
+  const double missed_first = worst_of(step.state, island.rods);
   // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
   for (int k = 0; k < most_bends && (k == 0 || bend_more(step.state, bent)); ++k) {
     Bookkeeping tried;
@@ -269,6 +277,16 @@ void RattleStepper::bend(const Island& island,
     placed = std::move(solution);
   }
   note_pressed(island, placed);
+  if (worst_of(step.state, island.rods) > std::max(jammed_share, still_missed * missed_first))
+    stride_.jammed.insert(stride_.jammed.end(), island.rods.begin(), island.rods.end());
+}
+
+/// The largest error of some rods.
+double RattleStepper::worst_of(const State& state, const std::vector<int>& rods) const {
+  double worst = 0.0;
+  for (const int rod : rods)
+    worst = std::max(worst, rod_error(*system_, state, system_->rods[rod]));
+  return worst;
 }
 
 /// What rods of a bent island still miss where the cubes have come; whether any does.
@@ -308,7 +326,8 @@ void RattleStepper::arrive(Step& step, double t) {
   step.book.unexplained =
       unexplained(*system_, stride_.start, step.state, stride_.h, pushed()) + -1.0 * cleaned;
   settle(cleaned, record, step.book);
-  const bool sways = sway_ > 0.0 && surplus_of(record, step.state) <= 0.0;
+  jam(step, record, t);
+  const bool sways = sway_ > 0.0 && !strays(record, step.state);
   const State unsettled = step.state;
   step.rise = settle_energy(*system_, stride_, sways, record, step.state);
   settle(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
@@ -453,18 +472,70 @@ void RattleStepper::hit(Step& step) {
   }
 }
 
-/// By how much energy is more than it may sway, J.
-double RattleStepper::surplus_of(const StepRecord& record, const State& end) const {
+/// Where no placement led to the lengths of rods, velocities that they cannot go on with are taken at once. Where that
+/// happens step after step forces drive what the rods hold.
+void RattleStepper::jam(Step& step, StepRecord& record, double t) {
+  if (stride_.jammed.empty()) return;
+  std::vector<Island> islands;
+  find_islands(*system_, contacts_, islands);
+  for (const Island& island : islands) {
+    if (std::ranges::find_first_of(stride_.jammed, island.rods) == stride_.jammed.end()) continue;
+    RodJam jam = rod_jam(*system_, step.state, island);
+    if (!jam.rods.empty()) {
+      take_jam(island, jam, step, record);
+    } else {
+      jam.rods = stopping_rods(island, step.state);
+    }
+    if (jam.rods.empty()) continue;
+    if (jam.rods == jammed_) note_contradiction(*system_, jam.rods, t, step.book);
+    for (Event& e : jam_events(*system_, stride_.before, step.state, jam.rods, t + stride_.h))
+      step.book.events.push_back(std::move(e));
+    step.jammed.insert(step.jammed.end(), jam.rods.begin(), jam.rods.end());
+  }
+}
+
+/// Rods that had lost their lengths and whose velocities at the end of the step jumped.
+std::vector<int> RattleStepper::stopping_rods(const Island& island, const State& end) const {
+  const auto jumps = [&](const RodEnd& at) {
+    if (at.body < 0) return false;
+    const double change = (end[at.body].velocity - stride_.before[at.body].velocity).norm();
+    return change > rough_steps * stride_.scales.gravity * stride_.h;
+  };
+  std::vector<int> rods;
+  for (const int number : island.rods) {
+    const Rod& rod = system_->rods[number];
+    const bool lost = rod_error(*system_, flown_, rod) > jammed_share;
+    if (lost && (jumps(rod.i) || jumps(rod.j))) rods.push_back(number);
+  }
+  return rods;
+}
+
+void RattleStepper::take_jam(const Island& island,
+                             const RodJam& jam,
+                             Step& step,
+                             StepRecord& record) {
+  keep_book(jam.hit.after, step.book);
+  const State before = step.state;
+  set_velocities(island, jam.hit.after.twists, step.state);
+  settle(unexplained(*system_, before, step.state, 0.0, {}), record, step.book);
+  const auto mine = std::ranges::find_if(record.components, [&](const StepComponent& part) {
+    return std::ranges::binary_search(part.cubes, island.cubes.front());
+  });
+  if (mine != record.components.end()) mine->losses.push_back({1.0, jam.hit.loss, false});
+}
+
+/// Whether energy is farther from its true value than it may sway.
+bool RattleStepper::strays(const StepRecord& record, const State& end) const {
   const Scales& scales = stride_.scales;
-  double allowed =
-      true_energy_
-      + sway_ * (kinetic_energy(*system_, stride_.start) + scales.weight * scales.length);
+  double astray = energy(*system_, end) - true_energy_;
   for (const StepComponent& part : record.components)
-    allowed -= sum_of(part.losses);
-  return energy(*system_, end) - allowed;
+    astray += sum_of(part.losses);
+  return std::abs(astray)
+         > sway_ * (kinetic_energy(*system_, stride_.start) + scales.weight * scales.length);
 }
 
 void RattleStepper::accept(const Step& step) {
+  jammed_ = step.jammed;
   for (const Loss& loss : step.book.losses)
     true_energy_ -= loss.energy;
 }

@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/dynamics/rod_jam.h"
 #include "core/time/stepping/overlap_removal.h"
 #include "core/time/stepping/step_books.h"
 
@@ -31,14 +32,15 @@ struct Step {
   /// Local error as a share of the smallest side: the root mean square, over cubes that struck nothing, of what
   /// their way differs from the trapezoidal rule over their velocities, which is of third order as the error is.
   double error = 0.0;
-  Rise rise;             ///< energy that had to be taken back
-  double overlap = 0.0;  ///< left, as a share of the smaller side of the pair
+  Rise rise;                  ///< energy that had to be taken back
+  double overlap = 0.0;       ///< left, as a share of the smaller side of the pair
+  std::vector<int> jammed{};  ///< rods that contradicted each other at its end
 };
 
 class RattleStepper {
  public:
   /// Energy of second order steps sways about its true value: `sway` is the share of what is in motion that it may
-  /// be above it. Where there is none, what a step changes of it is put right at once, which costs accuracy: what is
+  /// be away from it. Where there is none, what a step changes of it is put right at once, which costs accuracy: what is
   /// taken and given back would have come back by itself.
   RattleStepper(const System& system, const MotionSettings& settings, double sway);
 
@@ -65,6 +67,7 @@ class RattleStepper {
   void place(Step& step);
   void follow(const Island& island, const State& state);
   void place_island(const Island& island, Step& step);
+  [[nodiscard]] double worst_of(const State& state, const std::vector<int>& rods) const;
   bool bend_more(const State& end, Island& bent) const;
   [[nodiscard]] bool bend_rods(const State& end, Island& bent) const;
   void bend(const Island& island,
@@ -83,7 +86,10 @@ class RattleStepper {
   void take_back(const std::vector<Contact>& contacts, State& state);
   [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;
   void hit(Step& step);
-  [[nodiscard]] double surplus_of(const StepRecord& record, const State& end) const;
+  void jam(Step& step, StepRecord& record, double t);
+  [[nodiscard]] std::vector<int> stopping_rods(const Island& island, const State& end) const;
+  void take_jam(const Island& island, const RodJam& jam, Step& step, StepRecord& record);
+  [[nodiscard]] bool strays(const StepRecord& record, const State& end) const;
   [[nodiscard]] double error_of(const State& state) const;
   [[nodiscard]] std::vector<Contact> acting() const;
 
@@ -93,6 +99,7 @@ class RattleStepper {
   ClosedContacts closed_;
   double sway_ = 0.0;
   double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
+  std::vector<int> jammed_;   ///< Step::jammed of the step before
   Stride stride_;
   /// Where cubes have come in the first placement, and a state whose velocities are their displacements: what rows
   /// times a displacement are read from.

@@ -129,7 +129,8 @@ StepImpulse impulse_of(const System& system,
   return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from), from, to};
 }
 
-/// Where something is struck rods pass the blow on, and lose of it what their turning in the step takes.
+/// Where something is struck rods pass the blow on, and lose of it what their turning in the step takes; where they jam
+/// what they take is lost.
 void add_rods(const System& system,
               const Stride& stride,
               const State& end,
@@ -138,7 +139,9 @@ void add_rods(const System& system,
   for (int number = 0; number < std::ssize(system.rods); ++number) {
     const Rod& rod = system.rods[number];
     const int k = component[rod.i.body >= 0 ? rod.i.body : rod.j.body];
-    if (k >= 0) balances[k].lasting -= work_of(system, stride, number, end);
+    if (k < 0) continue;
+    double& taken = stride.jammed.empty() ? balances[k].lasting : balances[k].closing;
+    taken -= work_of(system, stride, number, end);
   }
 }
 
@@ -219,7 +222,9 @@ Rise settle_energy(
   for (StepComponent& part : record.components) {
     const double lost = sum_of(part.losses);
     const double goal = energy_of(system, stride.start, part.cubes) - lost;
-    rise.whole += std::max(0.0, energy_of(system, end, part.cubes) - goal);
+    const double missed = energy_of(system, end, part.cubes) - goal;
+    rise.whole += std::max(0.0, missed);
+    rise.sway += std::abs(missed);
     if (sways) continue;
     const double missing =
         scale_to_energy(system, part.cubes, kept(part), goal, most_given_back, end);

@@ -36,6 +36,7 @@ double sum_of(const std::vector<StepLoss>& losses);
 struct Rise {
   double whole = 0.0;   ///< all of it
   double unpaid = 0.0;  ///< what no motion could pay for
+  double sway = 0.0;    ///< by how much the step missed its energy, either way
 };
 
 /// Brings the energy of every component to that of the start less its losses, as far as its velocities

@@ -113,7 +113,7 @@ void StepLook::turn_on(const StepComponent& part, const State& from, double t, S
   const double due = before.angular + det(before.center, before.linear)
                      + t * det(before.mass * before.center + 0.5 * t * before.linear, g);
   const double spin = (due - now.angular - det(now.center, now.linear)) / now.inertia;
-  turn(part.cubes, {now.center, Vec2::Zero(), spin}, state);
+  turn(*system_, part.cubes, {now.center, Vec2::Zero(), spin}, state);
 }
 
 void StepLook::settle_energy(const StepComponent& part,

@@ -34,6 +34,7 @@ struct Stride {
   std::map<ContactId, Blow> blows;
   std::vector<double> rods_first{};   ///< N s, per rod of the system, on place i, of the first half
   std::vector<double> rods_second{};  ///< likewise, of the second
+  std::vector<int> jammed{};          ///< rods of islands that no placement led to their lengths
 };
 
 /// How fast the contact closes at the start, in units of g h.

@@ -149,12 +149,77 @@ TEST(Margins, AMoveEndsAtTheEdgeOrAtTheNeighbour) {
   const auto move = [&](int cube) {
     return margins(scene, {false, false, false, true, {cube}}).bodies.front().move;
   };
-  EXPECT_NEAR(move(1).low, -2.0, exact);
-  EXPECT_NEAR(move(1).high, 0.25, exact);
-  EXPECT_NEAR(move(2).low, -0.25, exact);
-  EXPECT_NEAR(move(2).high, 0.75, exact);
+  EXPECT_NEAR(move(1).low, -2.0, exact_length);
+  EXPECT_NEAR(move(1).high, 0.25, exact_length);
+  EXPECT_NEAR(move(2).low, -0.25, exact_length);
+  EXPECT_NEAR(move(2).high, 0.75, exact_length);
   EXPECT_EQ(move(0).high, unbounded);
   EXPECT_EQ(move(0).low, -unbounded);
+}
+
+// Another way to the same end: where the scene stops to stand its weakest weight may not shift at all.
+TEST(Margins, AtTheEndOfAMoveTheSceneIsOnAKnifeEdge) {
+  constexpr double knife_edge = 1e-12;  // of the side
+  Scene beams = on_floor({cube("left", {-1.3, 0.5}), cube("right", {1.1, 0.5}),
+                          sized_cube("beam", {0.1, 1.5}, {3.4, 1.0}), cube("on", {0.3, 2.5}),
+                          sized_cube("upper", {0.2, 3.2}, {1.9, 0.4}), cube("top", {0.6, 3.9})});
+  for (const Scene& scene : {beams, harmonic(6, -1e-3), shipped_scene("fig1_stack_stands")}) {
+    const StillScene from = still(scene);
+    int ends = 0;
+    for (const BodyMargin& body : margins(scene, {false, false, false, true, {}}).bodies) {
+      EXPECT_LE(body.move.error, 1e-12) << body.cube;
+      for (const double s : {body.move.low, body.move.high}) {
+        if (!std::isfinite(s)) continue;
+        Scene moved = scene;
+        const CarriedGroup group = *carried_group(from, body.cube);
+        for (const int cube : group.cubes)
+          moved.cubes[cube].position.x() += s;
+        const StillScene there = still(moved);
+        if (there.verdict != Verdict::stands) continue;
+        const std::optional<Weakest> weakest = find_weakest(there);
+        ASSERT_TRUE(weakest);
+        if (weakest->share > 1e-6) continue;  // it met a neighbour, or left its face
+        EXPECT_NEAR(weakest->share, 0.0, knife_edge) << body.cube << " at " << s;
+        ++ends;
+      }
+    }
+    EXPECT_GT(ends, 5);
+  }
+}
+
+// Posts below a beam: to their neighbour, and out from under it.
+TEST(Margins, AMoveEndsWhereAFaceIsLeft) {
+  const std::vector<BodyMargin> found =
+      margins(shipped_scene("fig1_stack_stands"), {false, false, false, true, {0, 1}}).bodies;
+  EXPECT_NEAR(found[0].move.low, -0.35, exact_length);
+  EXPECT_NEAR(found[0].move.high, 0.2, exact_length);
+  EXPECT_NEAR(found[1].move.low, -0.2, exact_length);
+  EXPECT_NEAR(found[1].move.high, 0.8, exact_length);
+}
+
+// The centre of what is above a face stays above it.
+TEST(Margins, MovesOfALeaningTowerHaveAClosedForm) {
+  const Scene scene = on_floor(leaning_tower(4, 0.1));
+  const std::vector<BodyMargin> found = margins(scene, {false, false, false, true, {}}).bodies;
+  for (int i = 0; i < 4; ++i) {
+    const double reach = 0.5;  // of a face from its middle
+    // The cube with i below it carries 3 - i: the centre of those above each face below.
+    double low = -unbounded;
+    double high = unbounded;
+    for (int below = 0; below < i; ++below) {
+      const int carried = 4 - 1 - below;                  // cubes above the face
+      const double centre = 0.1 * (below + 1 + 3) / 2.0;  // their centre, from the lowest's
+      const double times = static_cast<double>(carried) / (4 - i);
+      const bool own = below + 1 == i;
+      const double left = own ? 0.1 * below - reach : 0.1 * (below + 1) - reach;
+      const double right = 0.1 * below + reach;
+      low = std::max(low, times * (left - centre));
+      high = std::min(high, times * (right - centre));
+    }
+    if (i == 0) continue;
+    EXPECT_NEAR(found[i].move.low, low, exact_length) << i;
+    EXPECT_NEAR(found[i].move.high, high, exact_length) << i;
+  }
 }
 
 struct Scaled {

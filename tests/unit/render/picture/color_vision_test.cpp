@@ -93,6 +93,9 @@ TEST(ColorVision, MeaningsDifferByAtLeast15) {
         {"acceleration", style.acceleration},
         {"weight", style.own_weight},
         {"thrust", style.thrust},
+        {"whisker", style.whisker},
+        {"mechanism", style.mechanism},
+        {"cause", style.cause},
         {"normal", style.normal},
         {"positive side", style.positive_side},
         {"negative side", style.negative_side}};

@@ -22,11 +22,12 @@ Snapshot two_boxes() {
   SnapshotReason reason;
   reason.headlines = {"b tips"};
   reason.advice = {"move b", "hold b"};
-  reason.part = {1};
-  reason.centre = Vec2(0.6, 1.5);
-  reason.corner = Vec2(0.5, 1.0);
-  reason.beside = Vec2(0.6, 1.0);
-  reason.label = "100 mm";
+  snapshot.causes = {{.part = {1},
+                      .centre = Vec2(0.6, 1.5),
+                      .corner = Vec2(0.5, 1.0),
+                      .beside = Vec2(0.6, 1.0),
+                      .outside = 0.1}};
+  reason.outside = "a tenth";
   reason.fixes.resize(2);
   reason.fixes[0].moved = {1};
   reason.fixes[0].way = {-0.1, 0.0};
@@ -41,7 +42,8 @@ Snapshot two_boxes() {
 
 DrawList compose(const Snapshot& snapshot, Font& font) {
   FrameOptions options;
-  options.layers = {Layer::cubes, Layer::names, Layer::hud};
+  options.layers = {Layer::cubes, Layer::causes, Layer::mechanism, Layer::names, Layer::hud};
+  options.legend = {LegendEntry::mechanism, LegendEntry::cause};
   View view;
   view.width = 800;
   view.height = 600;
@@ -57,7 +59,7 @@ bool tells(const DrawList& list, const std::string& text) {
 TEST(ComposeCauses, TellsWhatFailsAndWhatHelps) {
   Font font;
   const DrawList list = compose(two_boxes(), font);
-  for (const char* text : {"b tips", "move b", "hold b", "100 mm", "0.1 m", "0.9 N"})
+  for (const char* text : {"b tips", "move b", "hold b", "a tenth", "0.1 m", "0.9 N"})
     EXPECT_TRUE(tells(list, text)) << text;
   EXPECT_FALSE(tells(list, "two"));  // in the place of the HUD
   for (const TextShape& text : list.texts) {
@@ -97,6 +99,44 @@ TEST(ComposeCauses, AWayTooShortToBeSeenIsShownAllTheSame) {
   const bool seen = std::ranges::any_of(
       list.arrows, [](const ArrowShape& a) { return a.tail.x - a.tip.x > 12.0F; });
   EXPECT_TRUE(seen);
+}
+
+TEST(ComposeCauses, WithoutAReasonTheLayerMeasuresByItself) {
+  Font font;
+  Snapshot snapshot = two_boxes();
+  snapshot.reason.reset();
+  const DrawList list = compose(snapshot, font);
+  EXPECT_TRUE(tells(list, "100 mm"));
+  EXPECT_TRUE(tells(list, "two"));
+  EXPECT_TRUE(tells(list, "fails by itself"));
+  EXPECT_EQ(list.discs.size(), 2U);
+}
+
+// Dashes along the sides of the box where it comes to: 0.4 sides down, and a dashed arrow there.
+TEST(ComposeCauses, AMechanismIsShownByDisplacedOutlines) {
+  Font font;
+  Snapshot snapshot = two_boxes();
+  snapshot.reason.reset();
+  snapshot.causes.clear();
+  const std::size_t before = compose(snapshot, font).segments.size();
+  snapshot.mechanism = {{1, Vec2(0.0, -1.0), 0.0}};
+  const DrawList list = compose(snapshot, font);
+  EXPECT_TRUE(tells(list, "mechanism, not to scale"));
+  const Color color = make_style(Theme::light).mechanism;
+  float lowest = 0.0F;
+  int dashes = 0;
+  for (const SegmentShape& s : list.segments) {
+    if (s.color != color || s.from.y > 500.0F) continue;  // below stands the legend
+    ++dashes;
+    lowest = std::max(lowest, std::max(s.from.y, s.to.y));
+  }
+  EXPECT_GT(dashes, 30);
+  EXPECT_GT(list.segments.size(), before + 30);
+  EXPECT_NEAR(lowest, 360.0F, 1.0F);  // 0.6 m
+  const bool arrow = std::ranges::any_of(list.arrows, [&](const ArrowShape& a) {
+    return a.color == color && a.grow == 0.0F && std::abs(a.tip.y - 285.0F) < 1.0F;
+  });
+  EXPECT_TRUE(arrow);  // to 1.1 m, from 1.5 m
 }
 
 }  // namespace

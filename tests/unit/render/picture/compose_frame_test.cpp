@@ -18,6 +18,8 @@
 namespace wuerfel {
 namespace {
 
+bool is_upright(const SegmentShape& s) { return s.from.x == s.to.x && s.from.y != s.to.y; }
+
 class Composition : public ::testing::Test {
  protected:
   DrawList compose(Layers layers) {
@@ -575,6 +577,42 @@ TEST_F(Composition, InstanceMasksAreNumbersAndWholePixels) {
   }
   const double side = view.pixels_per_metre;
   EXPECT_NEAR(covered, side * side, 2.0 * side) << "no antialiasing";
+}
+
+// As long as the difference of two arrows, and beside the one that is drawn.
+TEST_F(Composition, WhiskersReachFromTheLeastForceToTheMost) {
+  snapshot = test::failing_snapshot();
+  const auto whiskers = [&](const DrawList& list) {
+    std::vector<SegmentShape> found;
+    std::ranges::copy_if(list.segments, std::back_inserter(found), [&](const SegmentShape& s) {
+      return s.color == style.whisker && is_upright(s);
+    });
+    return found;
+  };
+  EXPECT_TRUE(whiskers(compose({Layer::cubes, Layer::forces})).empty());
+  const DrawList list = compose({Layer::cubes, Layer::forces, Layer::whiskers});
+  const std::vector<SegmentShape> found = whiskers(list);
+  ASSERT_EQ(found.size(), 3U);
+  const double ppm = view.pixels_per_metre;
+  const Vec2 place = view.to_pixel(snapshot.joints[3].point);
+  EXPECT_NEAR(found[0].from.y, place.y() + 2.0 * 0.04 * ppm, 1e-2);
+  EXPECT_NEAR(found[0].to.y, place.y() + 12.0 * 0.04 * ppm, 1e-2);
+  EXPECT_GT(found[0].from.x, place.x() + 2.0);
+  // 40 N are longer than the longest arrow: an open end instead of a bar.
+  EXPECT_NEAR(found[1].to.y, view.to_pixel(snapshot.joints[4].point).y() + 0.8 * ppm, 1e-2);
+  const auto bars = std::ranges::count_if(list.segments, [&](const SegmentShape& s) {
+    return s.color == style.whisker && std::abs(s.from.y - s.to.y) < 1e-3F;
+  });
+  EXPECT_EQ(bars, 5);
+}
+
+TEST_F(Composition, WhiskersStandAtCornerForcesToo) {
+  snapshot = test::failing_snapshot();
+  const DrawList list = compose({Layer::cubes, Layer::contact_forces, Layer::whiskers});
+  EXPECT_EQ(std::ranges::count_if(
+                list.segments,
+                [&](const SegmentShape& s) { return s.color == style.whisker && is_upright(s); }),
+            1);
 }
 
 }  // namespace
