@@ -40,7 +40,7 @@ columns = ["time_of_fall", "moved", "at_rest", "final_height", "first_event", "f
 [output]
 states = { fps = 10 }
 """
-PICTURES = "first_frame = true\nmasks = [\"instance\"]\nsize = [64, 48]\n"
+PICTURES = "first_frame = true\nlayers = \"cubes,forces\"\nmasks = [\"instance\"]\nsize = [64, 48]\n"
 
 
 def digest(folder):
