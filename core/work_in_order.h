@@ -63,7 +63,7 @@ class OrderedWork {
     constexpr std::chrono::milliseconds beat{100};
     std::unique_lock lock(state_);
     while (running_ > 0) {
-      changed_.wait_for(lock, beat);
+      ended_.wait_for(lock, beat);
       if (!pulse) continue;
       lock.unlock();
       try {
@@ -80,7 +80,7 @@ class OrderedWork {
   void stop() {
     const std::lock_guard lock(state_);
     stopped_ = true;
-    changed_.notify_all();
+    room_.notify_all();
   }
 
   void labour() {
@@ -88,7 +88,7 @@ class OrderedWork {
     }
     const std::lock_guard lock(state_);
     --running_;
-    changed_.notify_all();
+    ended_.notify_all();
   }
 
   bool take_one() {
@@ -99,7 +99,7 @@ class OrderedWork {
       const std::lock_guard input(input_);
       {
         std::unique_lock lock(state_);
-        changed_.wait(lock, [this] { return stopped_ || taken_ - delivered_ < window(); });
+        room_.wait(lock, [this] { return stopped_ || taken_ - delivered_ < window(); });
         if (stopped_ || exhausted_) return false;
       }
       number = taken_++;
@@ -138,7 +138,7 @@ class OrderedWork {
       lock.lock();
       ++delivered_;
       stopped_ = stopped_ || last;
-      changed_.notify_all();
+      room_.notify_all();
     }
     delivering_ = false;
   }
@@ -165,7 +165,9 @@ class OrderedWork {
   Deliver& deliver_;
   std::mutex input_;  // held while an item is fetched
   std::mutex state_;  // of all that follows
-  std::condition_variable changed_;
+  // Apart, so that nobody is woken for nothing after every item.
+  std::condition_variable room_;   // in the window
+  std::condition_variable ended_;  // one of the crew
   std::map<long, Outcome> waiting_;  // by number, for those before them
   std::exception_ptr failure_;
   long taken_ = 0;

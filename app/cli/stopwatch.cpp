@@ -1,5 +1,6 @@
 #include "app/cli/stopwatch.h"
 
+#include <ctime>
 #include <sys/resource.h>
 
 namespace wuerfel {
@@ -10,15 +11,22 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-double cpu_of(decltype(RUSAGE_SELF) who) {
+// Not that of getrusage, which may count in ticks of 4 ms.
+double cpu_of(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double cpu_of_children() {
   rusage usage{};
-  getrusage(who, &usage);
+  getrusage(RUSAGE_CHILDREN, &usage);
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 double cpu_seconds(Stopwatch::Of whom) {
-  if (whom == Stopwatch::Of::thread) return cpu_of(RUSAGE_THREAD);
-  return cpu_of(RUSAGE_SELF) + cpu_of(RUSAGE_CHILDREN);
+  if (whom == Stopwatch::Of::thread) return cpu_of(CLOCK_THREAD_CPUTIME_ID);
+  return cpu_of(CLOCK_PROCESS_CPUTIME_ID) + cpu_of_children();
 }
 
 }  // namespace

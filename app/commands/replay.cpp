@@ -1,4 +1,5 @@
-#include <fstream>
+#include "app/output/replay.h"
+
 #include <memory>
 
 #include <fmt/core.h>
@@ -6,7 +7,7 @@
 
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
-#include "app/output/program_file.h"
+#include "app/output/text_output.h"
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
@@ -20,28 +21,6 @@ struct ReplayOptions {
   bool json = false;
 };
 
-constexpr QpMethod methods[] = {QpMethod::automatic, QpMethod::newton, QpMethod::interior_point,
-                                QpMethod::ipopt};
-
-Json answer_of(QpMethod method, const QuadraticProgram& program) {
-  QpResult result;
-  make_qp_solver(method)->solve(program, result);
-  return {{"solver", to_string(method)},
-          {"status", to_string(result.status)},
-          {"residual", result.residual.worst()},
-          {"iterations", result.iterations}};
-}
-
-Json replayed(const QuadraticProgram& program, int number) {
-  Json answers = Json::array();
-  for (const QpMethod method : methods)
-    answers.push_back(answer_of(method, program));
-  return {{"program", number},
-          {"unknowns", program.unknowns()},
-          {"rows", program.rows()},
-          {"answers", std::move(answers)}};
-}
-
 std::string text_of(const Json& replay) {
   std::string text = fmt::format("program {}: {} unknowns, {} rows\n", replay["program"].get<int>(),
                                  replay["unknowns"].get<int>(), replay["rows"].get<int>());
@@ -54,18 +33,13 @@ std::string text_of(const Json& replay) {
   return text;
 }
 
-// One program a line: whether each is solved now by the solver that runs use.
 ExitCode replay(const ReplayOptions& asked) {
-  std::ifstream file(asked.file, std::ios::binary);
-  if (!file) throw UsageError(fmt::format("there is no {}", asked.file));
   bool solved = true;
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    const std::string place = fmt::format("{}:{}", asked.file, ++number);
-    const Json answer = replayed(parse_program(line, place), number);
-    solved = solved && answer["answers"][0]["status"] == to_string(QpStatus::optimal);
-    write_text("-", asked.json ? answer.dump() + "\n" : text_of(answer));
-  }
+  replay_programs(asked.file, [&](const Json& replay) {
+    const auto status = replay["answers"][0]["status"].get<std::string>();
+    solved = solved && status == to_string(QpStatus::optimal);
+    write_text("-", asked.json ? replay.dump() + "\n" : text_of(replay));
+  });
   return solved ? ExitCode::fine : ExitCode::undecided;
 }
 

@@ -42,6 +42,7 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
 }
 
 bool MotionSource::scales_at(double t) const {
+  if (instants.empty()) return true;
   const auto instant = std::ranges::lower_bound(instants, t, {}, &Instant::t);
   return instant != instants.end() && instant->t == t && instant->scales;
 }

@@ -35,7 +35,7 @@ struct MotionSource {
   /// Simulates it from the start and shows its frames; how exact it was up to the last instant that
   /// was asked for, or to the end. Throws Interrupted.
   AccuracyWatch show_frames(const std::function<void(const Snapshot&)>& show) const;
-  /// Whether the scales of arrows fit the frame of this instant.
+  /// Whether the scales of arrows fit the frame of this instant; of any, where there is no timetable.
   [[nodiscard]] bool scales_at(double t) const;
 };
 

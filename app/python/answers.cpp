@@ -9,6 +9,7 @@
 #include "app/cli/choice.h"
 #include "app/commands/check_json.h"
 #include "app/commands/statics_options.h"
+#include "app/output/replay.h"
 #include "app/output/why.h"
 #include "app/python/interruption.h"
 #include "app/python/simulation.h"
@@ -54,6 +55,18 @@ Answer answer(const Scene& scene, const StaticsRequest& request, const MotionSet
   Notes notes(Notes::Voice::quiet);
   StaticsAnswer(scene, settings, request, made.check.verdict, notes).add_to(made.json);
   return made;
+}
+
+std::vector<py::dict> replay(const std::string& path) {
+  std::vector<nlohmann::ordered_json> programs;
+  {
+    const py::gil_scoped_release others_run;
+    replay_programs(path, [&](const auto& program) { programs.push_back(program); });
+  }
+  std::vector<py::dict> dicts;
+  for (const nlohmann::ordered_json& program : programs)
+    dicts.push_back(dict_of(program));
+  return dicts;
 }
 
 py::array_t<double> accelerations(const PyCheck& check) {
@@ -228,6 +241,10 @@ void bind_check(py::module_& module) {
       py::arg("formulation") = usual.formulation, py::arg("solver") = usual.solver,
       "Why a scene falls and what would help, or how nearly it stands: a dict with the keys of "
       "`explain --json`; \"text\" has the sentences.");
+  module.def(
+      "replay", &replay, py::arg("path"),
+      "Solves the programs again that `run --failed-programs` kept: a dict for each, with the "
+      "keys of `replay --json`.");
   module.def(
       "check_many",
       [](const std::vector<py::object>& scenes, int threads, bool margin, bool ranges,

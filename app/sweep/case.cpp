@@ -8,6 +8,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/sweep/digest.h"
+#include "core/scene/json_string.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
@@ -37,6 +38,51 @@ double position(const std::string& id) {
   return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
 
+/// Goes through a line that `line_of` wrote, whose values are JSON. Throws UsageError where it is
+/// another one.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view line) : line_(line), rest_(line) {}
+
+  void pass(std::string_view expected) {
+    if (!rest_.starts_with(expected)) fail();
+    rest_.remove_prefix(expected.size());
+  }
+  std::string_view up_to(char end) { return take(rest_.find(end)); }
+  /// Up to the comma or bracket behind it.
+  std::string_view value() {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < rest_.size(); ++i) {
+      const char c = rest_[i];
+      if (c == '\\') {
+        ++i;
+      } else if (c == '"') {
+        quoted = !quoted;
+      } else if (!quoted) {
+        if (depth == 0 && (c == ',' || c == '}')) return take(i);
+        depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+      }
+    }
+    fail();
+  }
+
+ private:
+  std::string_view take(std::size_t length) {
+    if (length >= rest_.size()) fail();
+    const std::string_view taken = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return taken;
+  }
+  [[noreturn]] void fail() const {
+    throw UsageError(
+        fmt::format("the manifest has a line that is no case: {}", line_.substr(0, 80)));
+  }
+
+  std::string_view line_;
+  std::string_view rest_;
+};
+
 }  // namespace
 
 Scene scene_of(const Sweep& sweep, const std::vector<std::string>& values) {
@@ -58,26 +104,38 @@ std::string split_of(const Sweep& sweep, const Case& one) {
   return sweep.split.shares.front().first;  // by rounding
 }
 
-std::string line_of(const Sweep& sweep, const Case& one) {
+std::string values_json(const Sweep& sweep, const Case& one) {
   std::string values;
-  for (std::size_t v = 0; v < one.values.size(); ++v)
-    values += fmt::format("{}{}:{}", v > 0 ? "," : "", Json(sweep.variables[v].key).dump(),
-                          one.values[v]);
-  return fmt::format(R"({{"case":{},"id":"{}","split":"{}","values":{{{}}}}})", one.number, one.id,
-                     one.split, values);
+  for (std::size_t v = 0; v < one.values.size(); ++v) {
+    values += v == 0 ? '{' : ',';
+    values += json_string(sweep.variables[v].key) + ':' + one.values[v];
+  }
+  return values + '}';
+}
+
+std::string line_of(const Sweep& sweep, const Case& one) {
+  return fmt::format(R"({{"case":{},"id":"{}","split":"{}","values":{}}})", one.number, one.id,
+                     one.split, values_json(sweep, one));
 }
 
 Case case_of(const Sweep& sweep, std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
-  try {
-    Case one{json.at("case"), json.at("id"), json.at("split"), {}};
-    for (const Variable& variable : sweep.variables)
-      one.values.push_back(json.at("values").at(variable.key).dump());
-    return one;
-  } catch (const Json::exception&) {
-    throw UsageError(
-        fmt::format("the manifest has a line that is no case: {}", line.substr(0, 80)));
+  LineReader reader(line);
+  Case one;
+  reader.pass(R"({"case":)");
+  const std::string_view number = reader.value();
+  std::from_chars(number.data(), number.data() + number.size(), one.number);
+  reader.pass(R"(,"id":")");
+  one.id = reader.up_to('"');
+  reader.pass(R"(","split":")");
+  one.split = reader.up_to('"');
+  reader.pass(R"(","values":{)");
+  for (const Variable& variable : sweep.variables) {
+    if (!one.values.empty()) reader.pass(",");
+    reader.pass(json_string(variable.key) + ":");
+    one.values.emplace_back(reader.value());
   }
+  reader.pass("}}");
+  return one;
 }
 
 }  // namespace wuerfel

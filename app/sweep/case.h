@@ -26,6 +26,9 @@ std::string case_id(const Sweep& sweep, const Scene& scene);
 /// Where a case belongs: by its name, or by values that are held out. Stays when cases are added.
 std::string split_of(const Sweep& sweep, const Case& one);
 
+/// The values of a case by their keys, as a JSON object.
+std::string values_json(const Sweep& sweep, const Case& one);
+
 /// One line of the manifest, without its end; and back. Throws UsageError on what is none.
 std::string line_of(const Sweep& sweep, const Case& one);
 Case case_of(const Sweep& sweep, std::string_view line);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fstream>
+#include <zlib.h>
 
 #include <fmt/format.h>
 
@@ -37,6 +38,11 @@ std::string sha256_of_file(const std::string& path) {
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
     digest.add(std::string_view(block).substr(0, static_cast<std::size_t>(file.gcount())));
   return digest.hex();
+}
+
+std::uint32_t crc32_of(std::string_view bytes) {
+  const auto* const start = reinterpret_cast<const Bytef*>(bytes.data());
+  return static_cast<std::uint32_t>(crc32_z(0, start, bytes.size()));
 }
 
 }  // namespace wuerfel

@@ -1,4 +1,4 @@
-/// SHA-256: names cases, and proves that bytes are those that were written.
+/// SHA-256: names cases, and proves that bytes are those that were written. CRC-32: notices damage.
 #pragma once
 
 #include <cstdint>
@@ -24,5 +24,7 @@ class Sha256 {
 std::string sha256(std::string_view text);
 /// Of a file. Throws UsageError where it cannot be read.
 std::string sha256_of_file(const std::string& path);
+/// As in PNG and zip files [PNG D].
+std::uint32_t crc32_of(std::string_view bytes);
 
 }  // namespace wuerfel

@@ -29,7 +29,10 @@ std::optional<long> variable(const char* name) {
 
 Shard checked(const Shard& shard, const std::string& origin) {
   constexpr long most = 1'000'000;
-  if (shard.count < 1 || shard.count > most || shard.index < 0 || shard.index >= shard.count)
+  if (shard.count < 1 || shard.count > most)
+    throw UsageError(
+        fmt::format("{}: {} is no number of shards of 1 to {}", origin, shard.count, most));
+  if (shard.index < 0 || shard.index >= shard.count)
     throw UsageError(fmt::format("{}: there is no shard {} of {}; they are 0/{} to {}/{}", origin,
                                  shard.index, shard.count, shard.count, shard.count - 1,
                                  shard.count));

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <zlib.h>
 
+#include "app/sweep/digest.h"
+
 namespace wuerfel {
 
 namespace {
@@ -18,8 +20,7 @@ void put_chunk(std::string& png, std::string_view type, std::string_view content
   put(png, static_cast<std::uint32_t>(content.size()));
   const std::string body = std::string(type) + std::string(content);
   png += body;
-  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
-  put(png, static_cast<std::uint32_t>(sum));
+  put(png, crc32_of(body));
 }
 
 std::string header(const NumberImage& image, int bits) {
@@ -33,13 +34,15 @@ std::string header(const NumberImage& image, int bits) {
 
 // Rows of large uniform areas: no filter serves them better than none.
 std::string rows(const NumberImage& image, int bits) {
-  std::string bytes;
+  const std::size_t row = 1 + static_cast<std::size_t>(image.width) * (bits > 8 ? 2 : 1);
+  std::string bytes(row * static_cast<std::size_t>(image.height), '\0');
+  char* next = bytes.data();
+  auto value = image.values.begin();
   for (int y = 0; y < image.height; ++y) {
-    bytes += '\0';
-    for (int x = 0; x < image.width; ++x) {
-      const unsigned value = image.values[y * image.width + x];
-      if (bits > 8) bytes += static_cast<char>(value >> 8U);
-      bytes += static_cast<char>(value & 0xffU);
+    ++next;
+    for (int x = 0; x < image.width; ++x, ++value) {
+      if (bits > 8) *next++ = static_cast<char>(*value >> 8U);
+      *next++ = static_cast<char>(*value & 0xffU);
     }
   }
   return bytes;

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <zlib.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "app/cli/exit_code.h"
+#include "app/sweep/digest.h"
 
 namespace wuerfel {
 
@@ -97,14 +97,13 @@ void NpzFile::add(const std::string& name, const std::string& npy) {
   const auto offset = files_.size();
   if (offset + npy.size() > std::numeric_limits<std::uint32_t>::max())
     throw UsageError("labels.npz would be larger than 4 GB");
-  const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(npy.data()), npy.size());
   std::string common;
   put(common, 20, 2);             // version needed
   put(common, 0, 2);              // flags
   put(common, 0, 2);              // stored
   put(common, 0, 2);              // midnight
   put(common, 1U << 5U | 1U, 2);  // of 1 January 1980, the first day there is
-  put(common, sum, 4);
+  put(common, crc32_of(npy), 4);
   put(common, npy.size(), 4);
   put(common, npy.size(), 4);
   put(common, file.size(), 2);

@@ -1,10 +1,13 @@
 #include "app/sweep/sample.h"
 
+#include <ranges>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/sweep/sample_run.h"
 #include "app/sweep/statics.h"
+#include "core/scene/json_string.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
@@ -24,27 +27,29 @@ Json json_of(const Label& label) {
       label);
 }
 
+template <class Items, class Write>
+std::string joined(const Items& items, const Write& write) {
+  std::string text;
+  for (const auto& item : items)
+    text += (text.empty() ? "" : ",") + write(item);
+  return text;
+}
+
 std::string labels_json(const Sweep& sweep,
                         const Case& one,
                         const Scene& scene,
                         const LabelRow& row) {
-  Json values = Json::object();
-  for (std::size_t v = 0; v < one.values.size(); ++v)
-    values[sweep.variables[v].key] = Json::parse(one.values[v]);
-  Json labels = Json::object();
-  for (const auto& [name, label] : row)
-    labels[name] = json_of(label);
-  Json bodies = Json::array();
-  for (std::size_t i = 0; i < scene.cubes.size() + scene.points.size(); ++i)
-    bodies.push_back(moving_name(scene, static_cast<int>(i)));
-  const Json head{{"id", one.id},
-                  {"case", one.number},
-                  {"split", one.split},
-                  {"values", std::move(values)},
-                  {"labels", std::move(labels)},
-                  {"bodies", std::move(bodies)}};
-  const std::string text = head.dump();
-  return text.substr(0, text.size() - 1) + ",\"scene\":" + normalised_scene(scene) + "}\n";
+  const std::string labels = joined(row, [](const auto& label) {
+    return json_string(label.first) + ':' + json_of(label.second).dump();
+  });
+  const std::size_t bodies = scene.cubes.size() + scene.points.size();
+  const std::string names = joined(std::views::iota(0, static_cast<int>(bodies)),
+                                   [&](int body) { return json_string(moving_name(scene, body)); });
+  return fmt::format(
+      R"({{"id":"{}","case":{},"split":{},"values":{},"labels":{{{}}},"bodies":[{}],"scene":{}}})"
+      "\n",
+      one.id, one.number, json_string(one.split), values_json(sweep, one), labels, names,
+      normalised_scene(scene));
 }
 
 }  // namespace

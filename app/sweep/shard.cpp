@@ -60,7 +60,7 @@ Entry entry_of(const Json& json, const std::string& archive) {
   }
   entry.offset = json.at("offset");
   entry.length = json.at("length");
-  entry.sha256 = json.at("sha256");
+  entry.crc32 = json.at("crc32");
   entry.cpu_s = json.at("cpu_s");
   return entry;
 }
@@ -118,7 +118,7 @@ std::string read_sample(const Entry& entry) {
   std::string blocks(entry.length, '\0');
   file.seekg(static_cast<std::streamoff>(entry.offset));
   file.read(blocks.data(), static_cast<std::streamsize>(blocks.size()));
-  if (!file || sha256(blocks) != entry.sha256)
+  if (!file || crc32_of(blocks) != entry.crc32)
     throw UsageError(fmt::format(
         "{}: sample {} is damaged; remove the file and its .jsonl, and run the sweep again",
         entry.archive, entry.id));
@@ -159,7 +159,7 @@ void ShardWriter::add(const Case& one, const std::string& blocks, double cpu_s) 
             {"id", one.id},
             {"offset", offset_ + waiting_.size()},
             {"length", blocks.size()},
-            {"sha256", sha256(blocks)},
+            {"crc32", crc32_of(blocks)},
             {"cpu_s", cpu_s}}
            .dump());
   waiting_ += blocks;

@@ -29,7 +29,7 @@ struct Entry {
   std::string archive;  ///< its path
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
-  std::string sha256;
+  std::uint32_t crc32 = 0;
   double cpu_s = 0.0;
   std::string error;  ///< not empty: the case failed
 };

@@ -1,6 +1,7 @@
 #include "app/sweep/sweep_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -251,6 +252,21 @@ class SweepReader {
   Sweep sweep_;
 };
 
+/// Quotas in the proportions there are, together so many cases.
+void share_out(long cases, BalanceEntry& balance) {
+  const std::array quotas{&balance.stands, &balance.falls, &balance.moves};
+  long before = 0;
+  for (const auto* quota : quotas)
+    before += quota->value_or(0);
+  for (auto* quota : quotas) {
+    if (!*quota) continue;
+    const double share = static_cast<double>(**quota) / static_cast<double>(before);
+    before -= **quota;
+    *quota = std::lround(share * static_cast<double>(cases));
+    cases -= **quota;
+  }
+}
+
 }  // namespace
 
 Sweep parse_sweep(const SceneText& sweep,
@@ -262,7 +278,12 @@ Sweep parse_sweep(const SceneText& sweep,
   TableReader reader(source, document, "");
   describe(reader, entries);
   reader.finish();
-  if (cases) entries.cases = cases;
+  const bool balanced = entries.balance.stands || entries.balance.falls || entries.balance.moves;
+  if (cases && balanced) {
+    share_out(*cases, entries.balance);
+  } else if (cases) {
+    entries.cases = cases;
+  }
   return SweepReader(entries, source, scene).read();
 }
 

@@ -6,10 +6,11 @@ flat in vec3 f_shaft;
 flat in vec3 f_slant;
 flat in vec3 f_back;
 flat in vec4 f_color;
+uniform vec2 picture;
 out vec4 color;
 
 void main() {
-  vec2 p = gl_FragCoord.xy - f_tail;
+  vec2 p = vec2(gl_FragCoord.x, picture.y - gl_FragCoord.y) - f_tail;
   float u = p.x * f_axis.x + p.y * f_axis.y;
   float v = abs(p.y * f_axis.x - p.x * f_axis.y);
   float shaft = max(max(-u, u - f_shaft.x), v - f_shaft.y);

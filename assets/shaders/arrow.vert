@@ -32,7 +32,7 @@ void main() {
   float side = in_head ? max(shape.x, wing) + margin : shape.x + grow + 1.0;
   vec2 local = vec2((gl_VertexID & 2) == 0 ? min(from, to) : to, (gl_VertexID & 1) == 0 ? -side : side);
   vec2 pixel = tail + local.x * axis + local.y * vec2(-axis.y, axis.x);
-  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 1.0 - 2.0 * pixel.y / picture.y, 0.0, 1.0);
+  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 2.0 * pixel.y / picture.y - 1.0, 0.0, 1.0);
   f_tail = vec2(tail.x, picture.y - tail.y);
   f_axis = vec2(axis.x, -axis.y);
   f_shaft = vec3(base + notch, shape.x, 0.5 + grow);

@@ -18,7 +18,7 @@ void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1) * 2.0 - 1.0;
   vec2 local = corner * (half_size + 1.0);
   vec2 pixel = center + local.x * axis + local.y * vec2(-axis.y, axis.x);
-  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 1.0 - 2.0 * pixel.y / picture.y, 0.0, 1.0);
+  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 2.0 * pixel.y / picture.y - 1.0, 0.0, 1.0);
   f_center = vec2(center.x, picture.y - center.y);
   f_axis = vec2(axis.x, -axis.y);
   // What is narrower than a pixel is drawn one pixel wide and fades, so that its ink stays right.

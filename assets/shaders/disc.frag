@@ -4,11 +4,10 @@ flat in vec2 f_center;
 flat in vec2 f_shape;
 flat in vec4 f_fill;
 flat in vec4 f_outline;
-uniform vec2 picture;
 out vec4 color;
 
 void main() {
-  float distance = length(vec2(gl_FragCoord.x, picture.y - gl_FragCoord.y) - f_center) - f_shape.x;
+  float distance = length(gl_FragCoord.xy - f_center) - f_shape.x;
   float covered = clamp(0.5 - distance, 0.0, 1.0);
   float filled = clamp(0.5 - distance - f_shape.y, 0.0, 1.0);
   color = f_outline * (covered - filled) + f_fill * filled;

@@ -13,7 +13,7 @@ flat out vec4 f_outline;
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1) * 2.0 - 1.0;
   vec2 pixel = center + corner * (shape.x + 1.0);
-  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 1.0 - 2.0 * pixel.y / picture.y, 0.0, 1.0);
+  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 2.0 * pixel.y / picture.y - 1.0, 0.0, 1.0);
   f_center = center;
   f_shape = shape;
   f_fill = vec4(fill.rgb * fill.a, fill.a);

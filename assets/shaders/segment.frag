@@ -4,13 +4,12 @@ flat in vec2 f_middle;
 flat in vec2 f_axis;
 flat in vec3 f_shape;
 flat in vec4 f_color;
-uniform vec2 picture;
 out vec4 color;
 
 float overlap(float x, float h) { return clamp(min(x + 0.5, h) - max(x - 0.5, -h), 0.0, 1.0); }
 
 void main() {
-  vec2 p = vec2(gl_FragCoord.x, picture.y - gl_FragCoord.y) - f_middle;
+  vec2 p = gl_FragCoord.xy - f_middle;
   vec2 q = abs(vec2(dot(p, f_axis), p.y * f_axis.x - p.x * f_axis.y));
   float rounded = overlap(length(vec2(max(q.x - f_shape.x, 0.0), q.y)), f_shape.y);
   float cut = overlap(q.x, f_shape.x) * overlap(q.y, f_shape.y);

@@ -18,7 +18,7 @@ void main() {
   vec2 local = corner * (vec2(0.5 * reach + shape.x * shape.y, shape.x) + 1.0);
   vec2 middle = 0.5 * (from + to);
   vec2 pixel = middle + local.x * axis + local.y * vec2(-axis.y, axis.x);
-  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 1.0 - 2.0 * pixel.y / picture.y, 0.0, 1.0);
+  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 2.0 * pixel.y / picture.y - 1.0, 0.0, 1.0);
   f_middle = middle;
   f_axis = axis;
   f_shape = vec3(0.5 * reach, shape);

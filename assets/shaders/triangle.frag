@@ -6,11 +6,10 @@ flat in vec3 f_ca;
 flat in float f_outline_width;
 flat in vec4 f_fill;
 flat in vec4 f_outline;
-uniform vec2 picture;
 out vec4 color;
 
 void main() {
-  vec2 p = vec2(gl_FragCoord.x, picture.y - gl_FragCoord.y);
+  vec2 p = gl_FragCoord.xy;
   float distance = max(dot(f_ab.xy, p) + f_ab.z, max(dot(f_bc.xy, p) + f_bc.z, dot(f_ca.xy, p) + f_ca.z));
   float covered = clamp(0.5 - distance, 0.0, 1.0);
   float filled = clamp(0.5 - distance - f_outline_width, 0.0, 1.0);

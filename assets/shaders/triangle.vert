@@ -24,7 +24,7 @@ void main() {
   vec2 low = min(a, min(b, c)) - 1.0;
   vec2 high = max(a, max(b, c)) + 1.0;
   vec2 pixel = mix(low, high, corner);
-  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 1.0 - 2.0 * pixel.y / picture.y, 0.0, 1.0);
+  gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 2.0 * pixel.y / picture.y - 1.0, 0.0, 1.0);
   float turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0 ? 1.0 : -1.0;
   f_ab = line(a, b, turn);
   f_bc = line(b, c, turn);

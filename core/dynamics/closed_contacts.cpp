@@ -87,15 +87,19 @@ void ClosedContacts::move_on_rod(const State& state, Order order) {
   const double per_mass = 1.0 / body.mass;
   const std::array<double, 3> ease{per_mass * g[0], per_mass * g[1], g[2] / body.inertia};
   const double compliance = g[0] * ease[0] + g[1] * ease[1] + g[2] * ease[2];
-  x_.assign(3, 0.0);
-  if (order == Order::velocity)
-    x_ = {state[cube].velocity.x(), state[cube].velocity.y(), state[cube].spin};
-  if (order == Order::acceleration) x_ = {system_->gravity.x(), system_->gravity.y(), 0.0};
-  for (int round = 0; round < 2; ++round) {
-    const double nu = -(g[0] * x_[0] + g[1] * x_[1] + g[2] * x_[2] + row.c) / compliance;
-    for (int k = 0; k < 3; ++k)
-      x_[k] += ease[k] * nu;
+  double x[3] = {0.0, 0.0, 0.0};
+  if (order == Order::velocity) {
+    const BodyState& s = state[cube];
+    x[0] = s.velocity.x(), x[1] = s.velocity.y(), x[2] = s.spin;
+  } else if (order == Order::acceleration) {
+    x[0] = system_->gravity.x(), x[1] = system_->gravity.y();
   }
+  for (int round = 0; round < 2; ++round) {
+    const double nu = -(g[0] * x[0] + g[1] * x[1] + g[2] * x[2] + row.c) / compliance;
+    for (int k = 0; k < 3; ++k)
+      x[k] += ease[k] * nu;
+  }
+  x_.assign(x, x + 3);
 }
 
 const std::vector<double>& ClosedContacts::nearest(const State& state, Order order) {
@@ -148,6 +152,10 @@ Push ClosedContacts::felt(const State& state, const Vec2& center) const {
 Push ClosedContacts::pushed(const State& state) const {
   Push sum;
   if (!on_fixed_ && !held_) return sum;
+  if (hangs_alone_ && system_->cubes == 1) {
+    const Body& body = system_->body(0);
+    return {body.mass * (Vec2(x_[0], x_[1]) - system_->gravity), body.inertia * x_[2]};
+  }
   const Vec2 center = common_center(*system_, state, resting_);
   if (held_) return felt(state, center);
   std::vector<double> along;

@@ -2,122 +2,117 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "core/scene/color.h"
+#include "core/scene/json_string.h"
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
 namespace {
 
 /// The fewest digits that bring back the same double; a zero keeps its sign.
-std::string number(double value) {
-  const std::string digits = fmt::format("{}", value);
-  return digits == "-0" ? "-0.0" : digits;
+void append(double value, std::string& json) {
+  const std::size_t start = json.size();
+  fmt::format_to(std::back_inserter(json), "{}", value);
+  if (std::string_view(json).substr(start) == "-0") json += ".0";
 }
 
-std::string numbers(const Vec2& value) {
-  return fmt::format("[{},{}]", number(value.x()), number(value.y()));
+void append(const Vec2& value, std::string& json) {
+  json += '[';
+  append(value.x(), json);
+  json += ',';
+  append(value.y(), json);
+  json += ']';
 }
 
-std::string text(const std::string& value) {
-  using nlohmann::json;
-  return json(value).dump(-1, ' ', false, json::error_handler_t::replace);
-}
+void append(const std::string& text, std::string& json) { json += json_string(text); }
 
-/// One JSON object, key by key.
+void append(const ScenePlace& place, std::string& json);
+
+/// One JSON object at the end of a text, key by key, until `end`.
 class ObjectWriter {
  public:
-  void add(std::string_view key, const std::string& value) {
-    fmt::format_to(std::back_inserter(json_), "{}\"{}\":{}", json_.size() > 1 ? "," : "", key,
-                   value);
+  explicit ObjectWriter(std::string& json) : json_(json) { json_ += '{'; }
+
+  /// A key, whose value the caller appends.
+  std::string& begin(std::string_view key) {
+    if (json_.back() != '{') json_ += ',';
+    json_.append("\"").append(key).append("\":");
+    return json_;
   }
+  void add(std::string_view key, const auto& value) { append(value, begin(key)); }
   /// What differs from the scene's own material.
   void add_material(const Material& material, const Material& standard) {
-    if (material.friction != standard.friction) add("friction", number(material.friction));
-    if (material.restitution != standard.restitution)
-      add("restitution", number(material.restitution));
+    if (material.friction != standard.friction) add("friction", material.friction);
+    if (material.restitution != standard.restitution) add("restitution", material.restitution);
   }
-  [[nodiscard]] std::string take() const { return json_ + "}"; }
+  void end() { json_ += '}'; }
 
  private:
-  std::string json_ = "{";
+  std::string& json_;
 };
 
-std::string object(const ScenePlane& plane, const Material& standard) {
-  ObjectWriter writer;
-  writer.add("name", text(plane.name));
-  writer.add("point", numbers(plane.point));
-  writer.add("normal", numbers(plane.normal));
+void write(const ScenePlane& plane, const Material& standard, ObjectWriter& writer) {
+  writer.add("name", plane.name);
+  writer.add("point", plane.point);
+  writer.add("normal", plane.normal);
   writer.add_material(plane.material, standard);
-  return writer.take();
 }
 
-std::string object(const SceneFixed& fixed, const Material& standard) {
-  ObjectWriter writer;
-  writer.add("name", text(fixed.name));
-  writer.add("size", numbers(fixed.size));
-  writer.add("position", numbers(fixed.position));
-  writer.add("angle", number(fixed.angle));
+void write(const SceneFixed& fixed, const Material& standard, ObjectWriter& writer) {
+  writer.add("name", fixed.name);
+  writer.add("size", fixed.size);
+  writer.add("position", fixed.position);
+  writer.add("angle", fixed.angle);
   writer.add_material(fixed.material, standard);
-  return writer.take();
 }
 
-std::string object(const SceneCube& cube, const Material& standard) {
-  ObjectWriter writer;
-  writer.add("name", text(cube.name));
-  writer.add("size", numbers(cube.size));
-  writer.add("mass", number(cube.mass));
-  writer.add("position", numbers(cube.position));
-  writer.add("angle", number(cube.angle));
-  writer.add("velocity", numbers(cube.velocity));
-  writer.add("spin", number(cube.spin));
+void write(const SceneCube& cube, const Material& standard, ObjectWriter& writer) {
+  writer.add("name", cube.name);
+  writer.add("size", cube.size);
+  writer.add("mass", cube.mass);
+  writer.add("position", cube.position);
+  writer.add("angle", cube.angle);
+  writer.add("velocity", cube.velocity);
+  writer.add("spin", cube.spin);
   writer.add_material(cube.material, standard);
-  if (cube.color) writer.add("color", text(color_text(*cube.color)));
-  return writer.take();
+  if (cube.color) writer.add("color", color_text(*cube.color));
 }
 
-std::string object(const ScenePair& pair, const Material& /*standard*/) {
-  ObjectWriter writer;
-  writer.add("bodies", fmt::format("[{},{}]", text(pair.bodies[0]), text(pair.bodies[1])));
-  if (pair.friction) writer.add("friction", number(*pair.friction));
-  if (pair.restitution) writer.add("restitution", number(*pair.restitution));
-  return writer.take();
+void write(const ScenePair& pair, const Material& /*standard*/, ObjectWriter& writer) {
+  writer.begin("bodies") +=
+      fmt::format("[{},{}]", json_string(pair.bodies[0]), json_string(pair.bodies[1]));
+  if (pair.friction) writer.add("friction", *pair.friction);
+  if (pair.restitution) writer.add("restitution", *pair.restitution);
 }
 
-std::string object(const ScenePoint& point, const Material& /*standard*/) {
-  ObjectWriter writer;
-  writer.add("name", text(point.name));
-  writer.add("mass", number(point.mass));
-  writer.add("position", numbers(point.position));
-  writer.add("velocity", numbers(point.velocity));
-  return writer.take();
+void write(const ScenePoint& point, const Material& /*standard*/, ObjectWriter& writer) {
+  writer.add("name", point.name);
+  writer.add("mass", point.mass);
+  writer.add("position", point.position);
+  writer.add("velocity", point.velocity);
 }
 
-std::string place_text(const ScenePlace& place) {
-  if (place.body.empty()) return numbers(place.at);
-  ObjectWriter writer;
-  writer.add("body", text(place.body));
-  writer.add("at", numbers(place.at));
-  return writer.take();
+void append(const ScenePlace& place, std::string& json) {
+  if (place.body.empty()) return append(place.at, json);
+  ObjectWriter writer(json);
+  writer.add("body", place.body);
+  writer.add("at", place.at);
+  writer.end();
 }
 
-std::string object(const SceneRod& rod, const Material& /*standard*/) {
-  ObjectWriter writer;
-  writer.add("name", text(rod.name));
-  writer.add("from", place_text(rod.from));
-  writer.add("to", place_text(rod.to));
-  writer.add("length", number(rod.length));
-  return writer.take();
+void write(const SceneRod& rod, const Material& /*standard*/, ObjectWriter& writer) {
+  writer.add("name", rod.name);
+  writer.add("from", rod.from);
+  writer.add("to", rod.to);
+  writer.add("length", rod.length);
 }
 
-std::string object(const ScenePin& pin, const Material& /*standard*/) {
-  ObjectWriter writer;
-  writer.add("name", text(pin.name));
-  writer.add("from", place_text(pin.from));
-  writer.add("to", place_text(pin.to));
-  if (pin.collide) writer.add("collide", "true");
-  return writer.take();
+void write(const ScenePin& pin, const Material& /*standard*/, ObjectWriter& writer) {
+  writer.add("name", pin.name);
+  writer.add("from", pin.from);
+  writer.add("to", pin.to);
+  if (pin.collide) writer.begin("collide") += "true";
 }
 
 template <class Body>
@@ -126,26 +121,29 @@ void add_all(ObjectWriter& writer,
              const std::vector<Body>& bodies,
              const Material& standard) {
   if (bodies.empty()) return;
-  std::string list = "[";
+  std::string& json = writer.begin(key);
   for (const Body& body : bodies) {
-    if (list.size() > 1) list += ",";
-    list += object(body, standard);
+    json += &body == bodies.data() ? '[' : ',';
+    ObjectWriter item(json);
+    write(body, standard, item);
+    item.end();
   }
-  writer.add(key, list + "]");
+  json += ']';
 }
 
 }  // namespace
 
 std::string normalised_scene(const Scene& scene) {
-  ObjectWriter material;
-  material.add("friction", number(scene.material.friction));
-  material.add("restitution", number(scene.material.restitution));
-  ObjectWriter writer;
-  writer.add("version", "1");
-  writer.add("title", text(scene.title));
-  writer.add("gravity", numbers(scene.gravity));
-  writer.add("duration", number(scene.duration));
-  writer.add("material", material.take());
+  std::string json;
+  ObjectWriter writer(json);
+  writer.begin("version") += '1';
+  writer.add("title", scene.title);
+  writer.add("gravity", scene.gravity);
+  writer.add("duration", scene.duration);
+  ObjectWriter material(writer.begin("material"));
+  material.add("friction", scene.material.friction);
+  material.add("restitution", scene.material.restitution);
+  material.end();
   add_all(writer, "plane", scene.planes, scene.material);
   add_all(writer, "fixed", scene.fixed, scene.material);
   add_all(writer, "cube", scene.cubes, scene.material);
@@ -153,7 +151,8 @@ std::string normalised_scene(const Scene& scene) {
   add_all(writer, "point", scene.points, scene.material);
   add_all(writer, "rod", scene.rods, scene.material);
   add_all(writer, "pin", scene.pins, scene.material);
-  return writer.take();
+  writer.end();
+  return json;
 }
 
 }  // namespace wuerfel

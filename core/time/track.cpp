@@ -125,13 +125,19 @@ const std::vector<char>& Track::resting() const { return stepping_ ? moving_ : e
 void Track::advance(double limit) {
   const Audit before = book_.audit;
   const double t = clock();
+  const std::size_t known = book_.breaches.size();
   stepping_ ? step(limit) : follow_events(limit);
   if (broken_promises(book_.audit) == broken_promises(before)) return;
-  const std::size_t known = book_.breaches.size();
+  std::vector<Breach> named(book_.breaches.begin() + static_cast<std::ptrdiff_t>(known),
+                            book_.breaches.end());
   note_breaches(before, t, moving_names(), book_);
-  for (std::size_t k = known; k < book_.breaches.size(); ++k)
-    if (book_.breaches[k].promise == Promise::rods)
-      book_.breaches[k].bodies = lost_rods(*system_, state());
+  // Of rods their names are told: of those that contradicted each other, which are known, or lost their lengths.
+  for (std::size_t k = known + named.size(); k < book_.breaches.size(); ++k) {
+    Breach& breach = book_.breaches[k];
+    if (breach.promise != Promise::rods) continue;
+    const Breach* contradiction = first_breach(named, Promise::rods);
+    breach.bodies = contradiction != nullptr ? contradiction->bodies : lost_rods(*system_, state());
+  }
 }
 
 std::vector<std::string> Track::moving_names() const {

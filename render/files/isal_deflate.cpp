@@ -14,7 +14,7 @@ namespace {
 
 /// The dynamic codes of levels 1 to 3 are not always the same for the same bytes.
 constexpr int level = 0;
-constexpr int band_size = 1 << 20;  ///< bytes; a band has at least one row
+constexpr int band_size = 1 << 18;  ///< bytes; a band has at least one row
 
 /// What is the same for all bands of a picture.
 struct Layout {
@@ -108,19 +108,19 @@ IsalDeflate::~IsalDeflate() = default;
 
 void IsalDeflate::compress(const Image& image,
                            int channels,
-                           RowRange changed,
+                           RowSet changed,
                            std::vector<std::uint8_t>& stream) {
   const Layout layout{image.width(), image.height(), channels};
   if (layout != work_->layout) {
     work_->lay_out(layout);
-    changed = {0, image.height()};
+    changed = RowRange{0, image.height()};
   }
   stream.assign({0x78, 0x01});  // zlib's header: deflate, fast
   std::uint32_t adler = 1;
   for (int first = 0, i = 0; first < image.height(); first += layout.band_rows(), ++i) {
     const int last = std::min(first + layout.band_rows(), image.height());
     Band& band = work_->bands[i];
-    if (first < changed.end && changed.begin < last) work_->pack(image, first, last, band);
+    if (changed.touches({first, last})) work_->pack(image, first, last, band);
     stream.insert(stream.end(), band.packed.begin(), band.packed.end());
     adler = static_cast<std::uint32_t>(adler32_combine(adler, band.adler, band.size));
   }

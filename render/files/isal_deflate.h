@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "render/raster/image.h"
+#include "render/raster/row_set.h"
 
 namespace wuerfel::internal {
 
@@ -27,7 +27,7 @@ class IsalDeflate {
   /// are as in the call before.
   void compress(const Image& image,
                 int channels,
-                RowRange changed,
+                RowSet changed,
                 std::vector<std::uint8_t>& stream);
 
  private:

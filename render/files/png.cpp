@@ -30,7 +30,7 @@ ImageCompressor::~ImageCompressor() = default;
 void ImageCompressor::compress(const Image& image,
                                PngChannels channels,
                                CompressedImage& compressed,
-                               std::optional<RowRange> changed) {
+                               const std::optional<RowSet>& changed) {
   compressed.width = image.width();
   compressed.height = image.height();
   compressed.alpha =

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "render/raster/image.h"
+#include "render/raster/row_set.h"
 
 namespace wuerfel {
 
@@ -70,7 +70,7 @@ class ImageCompressor {
   void compress(const Image& image,
                 PngChannels channels,
                 CompressedImage& compressed,
-                std::optional<RowRange> changed = {});
+                const std::optional<RowSet>& changed = {});
 
  private:
   std::unique_ptr<internal::IsalDeflate> isal_;  ///< none: libpng

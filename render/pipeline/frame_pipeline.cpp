@@ -90,7 +90,7 @@ void FramePipeline::draw_frames() {
       if (!last_revision || list != last) {
         frame.slot = free_slots_.pop();
         if (!frame.slot) return;
-        frame.changed = renderer.draw(list, images_.at(*frame.slot));
+        frame.changed = draw(renderer, list, *frame.slot);
         last = std::move(list);
       }
       last_revision = job->snapshot.revision;
@@ -100,6 +100,14 @@ void FramePipeline::draw_frames() {
     if (!drawn_.push(std::move(frame))) return;
   }
   drawn_.close();
+}
+
+RowSet FramePipeline::draw(Renderer& renderer, const DrawList& list, std::size_t slot) {
+  RowSet changed = renderer.draw(list, images_.at(slot), stale_.at(slot));
+  stale_.at(slot) = RowSet();
+  for (std::size_t other = 0; other < slots; ++other)
+    if (other != slot && stale_.at(other)) stale_.at(other)->add(changed);
+  return changed;
 }
 
 void FramePipeline::encode_frames() {

@@ -20,8 +20,12 @@
 #include "render/picture/view.h"
 #include "render/pipeline/bounded_queue.h"
 #include "render/raster/image.h"
+#include "render/raster/row_set.h"
 
 namespace wuerfel {
+
+class Renderer;
+struct DrawList;
 
 /// What is the same for all frames.
 struct PipelineSettings {
@@ -75,12 +79,13 @@ class FramePipeline {
  private:
   struct Drawn {
     std::optional<std::size_t> slot;  ///< of the picture; nothing: as before
-    RowRange changed;                 ///< the other rows are as before
+    RowSet changed;                   ///< the other rows are as before
     std::vector<PngText> texts;
   };
 
   void start();
   void draw_frames();
+  RowSet draw(Renderer& renderer, const DrawList& list, std::size_t slot);
   void encode_frames();
   void add_to_films(const Drawn& frame);
   void close_queues();
@@ -92,6 +97,8 @@ class FramePipeline {
   PipelineOutputs outputs_;
   static constexpr std::size_t slots = 3;  ///< one being drawn, one being encoded, one waiting
   std::array<Image, slots> images_;
+  std::array<std::optional<RowSet>, slots>
+      stale_;  ///< rows that are not as in the last picture; nothing: all
   internal::BoundedQueue<FrameJob> jobs_{4};
   internal::BoundedQueue<Drawn> drawn_{slots};
   internal::BoundedQueue<std::size_t> free_slots_{slots};

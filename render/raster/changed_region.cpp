@@ -158,28 +158,25 @@ Region changed_region(const DrawList& before, const DrawList& after) {
   return region.region();
 }
 
-RowRange changed_text_rows(const DrawList& before, const DrawList& after) {
-  RowRange rows{after.height, 0};
+RowRange rows_of(const TextShape& text, int height) {
+  if (!std::isfinite(text.baseline.y)) return {0, height};
   const auto place = [&](float y) {
-    return static_cast<int>(std::clamp(y, 0.0F, static_cast<float>(after.height)));
+    return static_cast<int>(std::clamp(y, 0.0F, static_cast<float>(height)));
   };
   // No letter is higher, or hangs deeper, than twice its size.
-  const auto add = [&](const TextShape& text) {
-    const float reach = 2.0F * text.size + text.halo_width + 1.0F;
-    if (!std::isfinite(text.baseline.y)) {
-      rows = {0, after.height};
-      return;
-    }
-    rows.begin = std::min(rows.begin, place(text.baseline.y - reach));
-    rows.end = std::max(rows.end, place(text.baseline.y + reach));
-  };
+  const float reach = 2.0F * text.size + text.halo_width + 1.0F;
+  return {place(text.baseline.y - reach), place(text.baseline.y + reach)};
+}
+
+RowSet changed_text_rows(const DrawList& before, const DrawList& after) {
+  RowSet rows;
   const std::size_t most = std::max(before.texts.size(), after.texts.size());
   for (std::size_t i = 0; i < most; ++i) {
     const bool was = i < before.texts.size();
     const bool is = i < after.texts.size();
     if (was && is && before.texts[i] == after.texts[i]) continue;
-    if (was) add(before.texts[i]);
-    if (is) add(after.texts[i]);
+    if (was) rows.add(rows_of(before.texts[i], after.height));
+    if (is) rows.add(rows_of(after.texts[i], after.height));
   }
   return rows;
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "render/picture/draw_list.h"
-#include "render/raster/image.h"
+#include "render/raster/row_set.h"
 
 namespace wuerfel::internal {
 
@@ -27,9 +27,11 @@ Region whole_picture(const DrawList& list);
 /// don't count. Never empty. Texts are not looked at.
 Region changed_region(const DrawList& before, const DrawList& after);
 
-/// Rows outside of which the texts of `before` and `after` have the same pixels; from the picture's
-/// height to 0 where all have.
-RowRange changed_text_rows(const DrawList& before, const DrawList& after);
+/// Rows outside of which the texts of `before` and `after` have the same pixels.
+RowSet changed_text_rows(const DrawList& before, const DrawList& after);
+
+/// Rows that hold all pixels of a text, in a picture of this height.
+RowRange rows_of(const TextShape& text, int height);
 
 /// False only where no pixel of the shape lies in `region`.
 bool touches(const DrawList& list, ShapeKind kind, std::size_t index, const Region& region);

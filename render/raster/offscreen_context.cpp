@@ -20,7 +20,6 @@ struct OffscreenContext::Library {
   decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
   decltype(&OSMesaDestroyContext) destroy_context = nullptr;
   decltype(&OSMesaMakeCurrent) make_current = nullptr;
-  decltype(&OSMesaPixelStore) pixel_store = nullptr;
   decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
 
   explicit Library(RasterThreads threads);
@@ -52,7 +51,6 @@ OffscreenContext::Library::Library(RasterThreads threads) {
   file.find("OSMesaCreateContextAttribs", create_context);
   file.find("OSMesaDestroyContext", destroy_context);
   file.find("OSMesaMakeCurrent", make_current);
-  file.find("OSMesaPixelStore", pixel_store);
   file.find("OSMesaGetProcAddress", get_proc_address);
 }
 
@@ -77,10 +75,7 @@ OffscreenContext::OffscreenContext(RasterThreads threads) : library_(Library::lo
                                            0};
   context_ = library_.create_context(attributes.data(), nullptr);
   if (context_ == nullptr) throw LibraryError("OSMesa offers no OpenGL 3.3 core context");
-  Image scratch(16, 16);
-  if (library_.make_current(static_cast<OSMesaContext>(context_), scratch.data(), GL_UNSIGNED_BYTE,
-                            scratch.width(), scratch.height())
-      == GL_FALSE) {
+  if (!make_current()) {
     library_.destroy_context(static_cast<OSMesaContext>(context_));
     throw LibraryError("OSMesa cannot make its context current");
   }
@@ -94,6 +89,14 @@ OffscreenContext::OffscreenContext(RasterThreads threads) : library_(Library::lo
     library_.destroy_context(static_cast<OSMesaContext>(context_));
     throw LibraryError("OSMesa draws by " + description_ + " instead of llvmpipe");
   }
+  ground_ = make_surface();
+  canvas_ = make_surface();
+}
+
+bool OffscreenContext::make_current() {
+  return library_.make_current(static_cast<OSMesaContext>(context_), window_.data(),
+                               GL_UNSIGNED_BYTE, window_.width(), window_.height())
+         == GL_TRUE;
 }
 
 OffscreenContext::~OffscreenContext() {
@@ -101,16 +104,67 @@ OffscreenContext::~OffscreenContext() {
   library_.destroy_context(static_cast<OSMesaContext>(context_));
 }
 
-void OffscreenContext::draw_into(Image& image) {
-  if (library_.make_current(static_cast<OSMesaContext>(context_), image.data(), GL_UNSIGNED_BYTE,
-                            image.width(), image.height())
-      == GL_FALSE) {
-    throw LibraryError("OSMesa cannot draw into a picture of " + std::to_string(image.width()) + "x"
-                       + std::to_string(image.height()) + " pixels");
+OffscreenContext::Surface OffscreenContext::make_surface() {
+  Surface made;
+  gl_.GenFramebuffers(1, &made.framebuffer);
+  gl_.GenRenderbuffers(1, &made.pixels);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, made.framebuffer);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, made.pixels);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, made.pixels);
+  return made;
+}
+
+void OffscreenContext::resize(const Surface& surface, int width, int height) {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, surface.pixels);
+  gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw LibraryError("OSMesa cannot draw a picture of " + std::to_string(width) + "x"
+                       + std::to_string(height) + " pixels");
+}
+
+void OffscreenContext::use_canvas(int width, int height) {
+  if (!make_current()) throw LibraryError("OSMesa cannot make its context current");
+  if (width == width_ && height == height_) return;
+  ground_color_.reset();
+  width_ = 0;
+  resize(canvas_, width, height);
+  gl_.Viewport(0, 0, width, height);
+  width_ = width;
+  height_ = height;
+}
+
+void OffscreenContext::clear(Color color) {
+  const float alpha = static_cast<float>(color.a) / 255.0F;
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.ClearColor(static_cast<float>(color.r) / 255.0F * alpha,
+                 static_cast<float>(color.g) / 255.0F * alpha,
+                 static_cast<float>(color.b) / 255.0F * alpha, alpha);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void OffscreenContext::clear(const Region& region, Color color) {
+  gl_.Disable(GL_SCISSOR_TEST);
+  if (ground_color_ != color) {
+    resize(ground_, width_, height_);
+    clear(color);
+    ground_color_ = color;
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas_.framebuffer);
   }
-  // Top row first.
-  library_.pixel_store(OSMESA_Y_UP, 0);
-  gl_.Viewport(0, 0, image.width(), image.height());
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, ground_.framebuffer);
+  gl_.BlitFramebuffer(region.left, region.top, region.right, region.bottom, region.left, region.top,
+                      region.right, region.bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, canvas_.framebuffer);
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(region.left, region.top, region.width(), region.height());
+}
+
+void OffscreenContext::read(const RowSet& rows, Image& image) {
+  for (const RowRange& range : rows.ranges())
+    gl_.ReadPixels(0, range.begin, width_, range.end - range.begin, GL_RGBA, GL_UNSIGNED_BYTE,
+                   image.row(range.begin));
+  if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR)
+    throw LibraryError("OpenGL reports error " + std::to_string(error));
 }
 
 }  // namespace wuerfel::internal

@@ -17,8 +17,8 @@ namespace wuerfel {
 namespace {
 
 /// What was blended over nothing has premultiplied colours; an image has straight alpha.
-void undo_premultiplication(Image& image) {
-  for (int y = 0; y < image.height(); ++y) {
+void undo_premultiplication(const RowRange& rows, Image& image) {
+  for (int y = rows.begin; y < rows.end; ++y) {
     std::uint8_t* pixel = image.row(y);
     for (int x = 0; x < image.width(); ++x, pixel += 4) {
       const unsigned alpha = pixel[3];
@@ -38,32 +38,24 @@ class Renderer::OpenGl {
  public:
   explicit OpenGl(RasterThreads threads) : context_(threads) {}
 
-  /// The shapes of `list`, without its texts. The context keeps the picture before: only what has
-  /// changed since is drawn. Returns the rows that have changed, those of texts included.
-  RowRange draw(const DrawList& list, Image& image) {
-    context_.draw_into(image);
+  /// Draws the shapes of `list`, without its texts: only what has changed since the picture before,
+  /// which the canvas keeps. Returns the rows that have changed, those of texts included.
+  RowSet draw(const DrawList& list) {
+    context_.use_canvas(list.width, list.height);
     const internal::Region region = region_to_draw(list);
-    const RowRange rows = changed_rows(list, region);
+    const RowSet rows = changed_rows(list, region);
     last_.reset();
     clear(list, region);
     const internal::GlFunctions& gl = context_.gl();
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    // Mesa draws the first shapes after a change of size for the size before: what it begins with is drawn twice.
-    if (list.width != width_ || list.height != height_) {
-      draw_shapes(list, region);
-      gl.Finish();
-      clear(list, region);
-      width_ = list.width;
-      height_ = list.height;
-    }
-    draw_shapes(list, region);
-    gl.Finish();
-    if (const GLenum error = gl.GetError(); error != GL_NO_ERROR)
-      throw LibraryError("OpenGL reports error " + std::to_string(error));
+    for (const ShapeRun& run : list.runs)
+      pipeline(run.kind).draw(list, run, region);
     last_ = list;
     return rows;
   }
+  /// The rows as they were drawn.
+  void read(const RowSet& rows, Image& image) { context_.read(rows, image); }
   const std::string& description() const { return context_.description(); }
 
  private:
@@ -79,32 +71,20 @@ class Renderer::OpenGl {
     return area > large * whole.width() * whole.height() ? whole : changed;
   }
 
-  RowRange changed_rows(const DrawList& list, const internal::Region& region) const {
-    if (region == internal::whole_picture(list)) return {0, list.height};
-    const RowRange texts = internal::changed_text_rows(*last_, list);
-    return {std::min(region.top, texts.begin), std::max(region.bottom, texts.end)};
+  RowSet changed_rows(const DrawList& list, const internal::Region& region) const {
+    RowSet rows(RowRange{region.top, region.bottom});
+    if (region != internal::whole_picture(list))
+      rows.add(internal::changed_text_rows(*last_, list));
+    return rows;
   }
 
   /// Fills the region with the background; nothing outside of it will be drawn.
   void clear(const DrawList& list, const internal::Region& region) {
-    const internal::GlFunctions& gl = context_.gl();
     if (region == internal::whole_picture(list)) {
-      gl.Disable(GL_SCISSOR_TEST);
+      context_.clear(list.background);
     } else {
-      gl.Enable(GL_SCISSOR_TEST);
-      gl.Scissor(region.left, list.height - region.bottom, region.width(), region.height());
+      context_.clear(region, list.background);
     }
-    const Color ground = list.background;
-    const float alpha = static_cast<float>(ground.a) / 255.0F;
-    gl.ClearColor(static_cast<float>(ground.r) / 255.0F * alpha,
-                  static_cast<float>(ground.g) / 255.0F * alpha,
-                  static_cast<float>(ground.b) / 255.0F * alpha, alpha);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-  }
-
-  void draw_shapes(const DrawList& list, const internal::Region& region) {
-    for (const ShapeRun& run : list.runs)
-      pipeline(run.kind).draw(list, run, region);
   }
 
   internal::ShapePipeline& pipeline(ShapeKind kind) {
@@ -116,8 +96,6 @@ class Renderer::OpenGl {
   internal::OffscreenContext context_;
   std::array<std::unique_ptr<internal::ShapePipeline>, 5> pipelines_;
   std::optional<DrawList> last_;  ///< what the context shows
-  int width_ = 0;                 ///< px, of the picture before
-  int height_ = 0;                ///< px, likewise
 };
 
 Renderer::Renderer(RasterThreads threads) : gl_(std::make_unique<OpenGl>(threads)) {}
@@ -155,19 +133,39 @@ void fill_exactly(const DrawList& list, Image& image) {
   }
 }
 
+/// A text that is drawn is drawn wholly, on rows without any of it.
+void add_rows_of_texts(const DrawList& list, RowSet& rows) {
+  for (bool grown = true; grown;) {
+    const RowSet before = rows;
+    for (const TextShape& text : list.texts) {
+      const RowRange own = internal::rows_of(text, list.height);
+      if (rows.touches(own)) rows.add(own);
+    }
+    grown = rows != before;
+  }
+}
+
 }  // namespace
 
-RowRange Renderer::draw(const DrawList& list, Image& image) {
-  if (image.width() != list.width || image.height() != list.height)
-    image = Image(list.width, list.height);
+RowSet Renderer::draw(const DrawList& list, Image& image, const std::optional<RowSet>& stale) {
+  const RowRange all{0, list.height};
+  const bool is_new = image.width() != list.width || image.height() != list.height;
+  if (is_new) image = Image(list.width, list.height);
   if (list.exact) {
     fill_exactly(list, image);
-    return {0, list.height};
+    return all;
   }
-  const RowRange changed = gl_->draw(list, image);
+  const RowSet changed = gl_->draw(list);
+  RowSet rows = is_new || !stale ? all : *stale;
+  rows.add(changed);
+  add_rows_of_texts(list, rows);
+  gl_->read(rows, image);
   for (const TextShape& text : list.texts)
-    internal::blend_text(text, font_, image);
-  if (list.background.a != 255) undo_premultiplication(image);
+    if (rows.touches(internal::rows_of(text, list.height)))
+      internal::blend_text(text, font_, image);
+  if (list.background.a != 255)
+    for (const RowRange& range : rows.ranges())
+      undo_premultiplication(range, image);
   return changed;
 }
 

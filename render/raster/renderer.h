@@ -3,12 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "render/picture/draw_list.h"
 #include "render/picture/font.h"
 #include "render/raster/image.h"
 #include "render/raster/raster_threads.h"
+#include "render/raster/row_set.h"
 
 namespace wuerfel {
 
@@ -25,8 +27,9 @@ class Renderer {
   Renderer& operator=(Renderer&&) = delete;
 
   /// Paints `list` into `image`, which is made anew where its size differs from the list's. Outside
-  /// of the rows returned the picture equals the one drawn before.
-  RowRange draw(const DrawList& list, Image& image);
+  /// of the rows returned the picture equals the one drawn before. Who knows that `image` shows that
+  /// one outside of the rows `stale` saves the work of copying them.
+  RowSet draw(const DrawList& list, Image& image, const std::optional<RowSet>& stale = {});
 
   /// The font of the texts, to measure them.
   Font& font();

@@ -99,6 +99,23 @@ class Metamorphic(ProgramTest):
             cube["mass"] *= 2.0
         self.compare(self.end(SCENE), self.end(s))
 
+    def test_a_rectangle_is_two_squares_on_two_pins(self):
+        # It falls on a corner and comes to rest; two pins hold one direction twice.
+        angle, spin, at, velocity = 0.3, 0.7, [0.0, 2.0], [0.4, 0.0]
+        along = turned([0.5, 0.0], angle)
+
+        def square(name, side):
+            arm = [side * along[0], side * along[1]]
+            return {"name": name, "position": [at[0] + arm[0], at[1] + arm[1]], "angle": angle, "spin": spin,
+                    "velocity": [velocity[0] - spin * arm[1], velocity[1] + spin * arm[0]]}
+
+        whole = {"plane": [{"name": "floor"}], "cube": [{"name": "r", "size": [2, 1], "mass": 2, "position": at, "angle": angle, "velocity": velocity, "spin": spin}]}
+        split = {"plane": [{"name": "floor"}], "cube": [square("a", -1), square("b", 1)],
+                 "pin": [{"from": "a.ne", "to": "b.nw"}, {"from": "a.se", "to": "b.sw"}]}
+        for until in (0.5, 0.62, 2.5):
+            halves = self.end(split, until)
+            self.compare(self.end(whole, until), {"r": [0.5 * (a + b) for a, b in zip(halves["a"], halves["b"])]}, 1e-9)
+
     def test_looking_more_often_changes_no_bit(self):
         self.assertEqual(self.end(SCENE), self.end(SCENE, UNTIL, "--states", "s.csv", "--fps", "333"))
 

@@ -40,7 +40,7 @@ columns = ["time_of_fall", "moved", "at_rest", "final_height", "first_event", "f
 [output]
 states = { fps = 10 }
 """
-PICTURES = "first_frame = true\nmasks = [\"instance\"]\nsize = [64, 48]\n"
+PICTURES = "first_frame = true\nlayers = \"cubes,forces\"\nmasks = [\"instance\"]\nsize = [64, 48]\n"
 
 
 def digest(folder):
@@ -201,6 +201,17 @@ verdicts = ["falls"]
         with open(self.path("data/labels.csv")) as file:
             verdicts = [row["verdict"] for row in csv.DictReader(file)]
         self.assertEqual((verdicts.count("stands"), verdicts.count("falls")), (10, 5))
+
+    def test_a_balanced_sweep_of_another_number_keeps_its_proportions_and_cases(self):
+        text = SWEEP.replace("cases = 24", "") + "[balance]\nstands = 10\nfalls = 5\n"
+        self.plan(text, "all")
+        self.plan(text, "few", "--cases", "7")
+        self.expect(0, "sweep", "run", "few")
+        self.merged("few", "data")
+        with open(self.path("data/labels.csv")) as file:
+            verdicts = [row["verdict"] for row in csv.DictReader(file)]
+        self.assertEqual((verdicts.count("stands"), verdicts.count("falls")), (5, 2))
+        self.assertLessEqual({case["id"] for case in self.manifest("few")}, {case["id"] for case in self.manifest("all")})
 
     def test_a_dry_run_writes_nothing(self):
         done = self.expect(0, "sweep", "plan", self.sweep(), "--dry-run")

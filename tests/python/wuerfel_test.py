@@ -251,6 +251,18 @@ def test_import_is_quick_and_draws_nothing():
     assert min(float(subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout) for _ in range(5)) < 0.05
 
 
+def test_replay_says_what_the_program_says(tmp_path):
+    path = tmp_path / "p.jsonl"
+    program = {"block_size": 3, "M_diag": [1, 1, 0.2], "F": [0, -9.81, 0], "J_triplets": [[0, 1, 1], [0, 2, 0.5], [1, 1, 1], [1, 2, -0.5]],
+               "b": [0, 0], "E_triplets": [], "d": []}
+    path.write_text(2 * (json.dumps(program) + "\n"))
+    said = subprocess.run([PROGRAM, "replay", "--json", str(path)], capture_output=True, text=True, check=True).stdout
+    assert w.replay(str(path)) == [json.loads(line) for line in said.splitlines()]
+    path.write_text("{}\n")
+    with pytest.raises(ValueError, match="p.jsonl:1: no program"):
+        w.replay(str(path))
+
+
 def test_checks_leak_nothing():
     import resource
     scene = w.Scene(FALLING)

@@ -15,10 +15,10 @@ and what would be right.
 from typing import NamedTuple
 
 from ._core import (Check, OutputError, RenderError, Scene, SceneError, Simulation, __version__, check, check_many,
-                    explain, render, save_film, simulate, simulate_many)
+                    explain, render, replay, save_film, simulate, simulate_many)
 
 __all__ = ["Check", "OutputError", "RenderError", "Scene", "SceneError", "Simulation", "Trajectory", "check",
-           "check_many", "explain", "render", "save_film", "simulate", "simulate_many"]
+           "check_many", "explain", "render", "replay", "save_film", "simulate", "simulate_many"]
 
 SceneError.__doc__ = "Bad input: the message says where, what is wrong and what would be right."
 RenderError.__doc__ = "A picture that cannot be drawn as asked."

@@ -15,14 +15,11 @@
 #include <vector>
 
 #include "core/dynamics/rod_jam.h"
-#include "core/time/stepping/overlap_removal.h"
+#include "core/time/stepping/landing.h"
+#include "core/time/stepping/placement.h"
 #include "core/time/stepping/step_books.h"
 
 namespace wuerfel {
-
-/// Closing speeds and changes of velocity within a step that exceed so many g h make it rough: an impact, and of
-/// order one.
-inline constexpr double rough_steps = 3.0;
 
 /// A step that was tried.
 struct Step {
@@ -64,53 +61,27 @@ class RattleStepper {
   void close_gaps(State& state);
 
  private:
-  void place(Step& step);
-  void follow(const Island& island, const State& state);
-  void place_island(const Island& island, Step& step);
-  [[nodiscard]] double worst_of(const State& state, const std::vector<int>& rods) const;
-  bool bend_more(const State& end, Island& bent) const;
-  [[nodiscard]] bool bend_rods(const State& end, Island& bent) const;
-  void bend(const Island& island,
-            const std::vector<Twist>& targets,
-            const IslandSolution& straight,
-            Step& step);
-  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Bookkeeping& book);
-  void fly_half(const Island& island, const IslandSolution& solution, State& state);
-  void note_pressed(const Island& island, const IslandSolution& solution);
-  void add_blows(const std::vector<Contact>& contacts);
   void arrive(Step& step, double t);
   [[nodiscard]] Push pushed() const;
   static void settle(const Push& change, const StepRecord& record, Bookkeeping& book);
-  void find_touching(Step& step);
-  void strike_anew(Step& step);
-  void take_back(const std::vector<Contact>& contacts, State& state);
-  [[nodiscard]] bool is_faster_than_free(const Island& island, const State& state) const;
-  void hit(Step& step);
   void jam(Step& step, StepRecord& record, double t);
   [[nodiscard]] std::vector<int> stopping_rods(const Island& island, const State& end) const;
   void take_jam(const Island& island, const RodJam& jam, Step& step, StepRecord& record);
   [[nodiscard]] bool strays(const StepRecord& record, const State& end) const;
   [[nodiscard]] double error_of(const State& state) const;
-  [[nodiscard]] std::vector<Contact> acting() const;
 
   const System* system_;
   Workspace work_;
   OverlapRemoval removal_;
+  Placement placement_;
+  Landing landing_;
   ClosedContacts closed_;
   double sway_ = 0.0;
   double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
   std::vector<int> jammed_;   ///< Step::jammed of the step before
   Stride stride_;
-  /// Where cubes have come in the first placement, and a state whose velocities are their displacements: what rows
-  /// times a displacement are read from.
-  struct Way {
-    std::vector<Box> boxes;
-    State moved;
-  };
-  Way way_;
-  State flown_;                    ///< the end before the clean-up
-  std::vector<Contact> cleaned_;   ///< contacts of the clean-up
-  std::vector<Contact> contacts_;  ///< what touches at the end of the way
+  State flown_;                   ///< the end before the clean-up
+  std::vector<Contact> cleaned_;  ///< contacts of the clean-up
 };
 
 }  // namespace wuerfel

@@ -4,6 +4,27 @@
 
 namespace wuerfel {
 
+Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
+  const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
+  return solution.forces[k] * c.normal + side * perp(c.normal);
+}
+
+void add_blows(const System& system,
+               const std::vector<Box>& start_boxes,
+               const std::vector<Contact>& contacts,
+               Stride& stride) {
+  for (const Contact& c : contacts)
+    stride.blows.emplace(c.id(), Blow{at_poses(system, start_boxes, c), c});
+}
+
+std::vector<Contact> acting(const Stride& stride) {
+  std::vector<Contact> acting;
+  for (const auto& [id, blow] : stride.blows) {
+    if (blow.acts()) acting.push_back(blow.end);
+  }
+  return acting;
+}
+
 double closing_speed(const System& system, const Stride& stride, const Contact& contact) {
   const double rate = gap_rate(contact, contact_velocity(system, stride.start, contact));
   return -rate / (stride.scales.gravity * stride.h);

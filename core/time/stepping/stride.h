@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "core/constraints/contact.h"
+#include "core/dynamics/gauss.h"
 #include "core/model/scales.h"
 
 namespace wuerfel {
@@ -13,6 +13,15 @@ namespace wuerfel {
 inline constexpr double touching_share = 1e-8;
 /// Closing speeds beyond this many g h are impacts, not the load of a step.
 inline constexpr double impact_steps = 0.5;
+
+/// Closing speeds and changes of velocity within a step that exceed so many g h make it rough: an impact, and of
+/// order one.
+inline constexpr double rough_steps = 3.0;
+
+/// Contacts that were pressed take part in the velocity program up to this share of the smaller side.
+inline constexpr double pressed_share = 1e-3;
+/// Rods may contradict each other that a placement leaves farther off their lengths than this share of them.
+inline constexpr double jammed_share = 1e-10;
 
 /// A contact that acts in a step, and its impulses (N s) on the body of the corner, of both halves.
 struct Blow {
@@ -36,6 +45,17 @@ struct Stride {
   std::vector<double> rods_second{};  ///< likewise, of the second
   std::vector<int> jammed{};          ///< rods of islands that no placement led to their lengths
 };
+
+/// The impulse of a solution on the body of the corner of its contact k.
+Vec2 impulse_at(const Contact& contact, const IslandSolution& solution, std::size_t k);
+
+/// Contacts that have not acted so far enter the stride, whose bodies were at `start_boxes`.
+void add_blows(const System& system,
+               const std::vector<Box>& start_boxes,
+               const std::vector<Contact>& contacts,
+               Stride& stride);
+/// Contacts that act in either half, as they are at the end.
+std::vector<Contact> acting(const Stride& stride);
 
 /// How fast the contact closes at the start, in units of g h.
 double closing_speed(const System& system, const Stride& stride, const Contact& contact);

@@ -1,8 +1,10 @@
 // A picture drawn after another one is the picture drawn alone, to the pixel.
 #include "render/raster/changed_region.h"
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -25,11 +27,16 @@ class InChanges : public ::testing::Test {
     fresh.reset();
   }
 
-  /// Draws with the renderer that knows the picture before, compares with one that was made to
-  /// forget it, and the rows said to be unchanged with the picture before.
+  /// Draws with the renderer that knows the picture before, into an image that shows an older one,
+  /// compares with one that was made to forget it, and the rows said to be unchanged with the picture
+  /// before.
   static void draw_and_compare(const DrawList& list) {
-    Image image;
-    const RowRange changed = changing->draw(list, image);
+    std::swap(images[0], images[1]);
+    std::swap(stale[0], stale[1]);
+    Image& image = images[0];
+    const RowSet changed = changing->draw(list, image, stale[0]);
+    stale[0] = RowSet();
+    if (stale[1]) stale[1]->add(changed);
     Image alone;
     DrawList other;
     other.width = list.width;
@@ -39,7 +46,7 @@ class InChanges : public ::testing::Test {
     fresh->draw(list, alone);
     ASSERT_EQ(image, alone);
     for (int y = 0; y < image.height(); ++y) {
-      if (before.height() != image.height() || (y >= changed.begin && y < changed.end)) continue;
+      if (before.height() != image.height() || changed.touches({y, y + 1})) continue;
       ASSERT_TRUE(std::equal(image.row(y), image.row(y) + 4 * image.width(), before.row(y))) << y;
     }
     before = image;
@@ -48,6 +55,8 @@ class InChanges : public ::testing::Test {
   static inline std::unique_ptr<Renderer> changing;
   static inline std::unique_ptr<Renderer> fresh;
   static inline Image before;
+  static inline std::array<Image, 2> images;
+  static inline std::array<std::optional<RowSet>, 2> stale;
 };
 
 TEST_F(InChanges, FramesOfAFilmAreAsIfDrawnAlone) {

@@ -1,0 +1,51 @@
+#include "app/output/replay.h"
+
+#include <fstream>
+
+#include <fmt/core.h>
+
+#include "app/cli/exit_code.h"
+#include "app/output/program_file.h"
+#include "core/qp/qp_solver.h"
+
+namespace wuerfel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr QpMethod methods[] = {QpMethod::automatic, QpMethod::newton, QpMethod::interior_point,
+                                QpMethod::ipopt};
+
+Json answer_of(QpMethod method, const QuadraticProgram& program) {
+  QpResult result;
+  make_qp_solver(method)->solve(program, result);
+  return {{"solver", to_string(method)},
+          {"status", to_string(result.status)},
+          {"residual", result.residual.worst()},
+          {"iterations", result.iterations}};
+}
+
+Json replayed(const QuadraticProgram& program, int number) {
+  Json answers = Json::array();
+  for (const QpMethod method : methods)
+    answers.push_back(answer_of(method, program));
+  return {{"program", number},
+          {"unknowns", program.unknowns()},
+          {"rows", program.rows()},
+          {"answers", std::move(answers)}};
+}
+
+}  // namespace
+
+void replay_programs(const std::string& path, const std::function<void(const Json&)>& show) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw UsageError(fmt::format("there is no {}", path));
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    const std::string place = fmt::format("{}:{}", path, ++number);
+    show(replayed(parse_program(line, place), number));
+  }
+}
+
+}  // namespace wuerfel
