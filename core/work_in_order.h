@@ -166,8 +166,8 @@ class OrderedWork {
   std::mutex input_;  // held while an item is fetched
   std::mutex state_;  // of all that follows
   // Apart, so that nobody is woken for nothing after every item.
-  std::condition_variable room_;   // in the window
-  std::condition_variable ended_;  // one of the crew
+  std::condition_variable room_;     // in the window
+  std::condition_variable ended_;    // one of the crew
   std::map<long, Outcome> waiting_;  // by number, for those before them
   std::exception_ptr failure_;
   long taken_ = 0;

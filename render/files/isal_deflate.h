@@ -1,4 +1,4 @@
-/// IsalDeflate: pictures compressed by ISA-L's level 1, several times faster than zlib's fastest
+/// IsalDeflate: pictures compressed by ISA-L's level 0, several times faster than zlib's fastest
 /// level. Its bytes depend on the processor's instructions; their meaning doesn't.
 #pragma once
 

@@ -47,7 +47,7 @@ set(known_render_folders picture raster vector files pipeline)
 set(picture render/picture/ "render/(error|shared_library)\\.h" core/snapshot\\.h ft2build Eigen/ fmt/)
 set(raster ${picture} render/raster/ GL/)
 set(vector ${picture} render/vector/ "render/files/png\\.h" cairo)  # the texts that pictures carry are those of PNG files
-set(files ${picture} "render/raster/image\\.h" render/files/ png\\.h isa-l)
+set(files ${picture} "render/raster/(image|row_set)\\.h" render/files/ png\\.h isa-l)
 set(pipeline ${picture} render/raster/ render/files/ render/pipeline/)
 
 foreach(folder IN LISTS known_render_folders)
