@@ -244,6 +244,17 @@ class Books(ProgramTest):
                          "pile": [{"count": count, "size": 0.7, "seed": seed, "region": [-1.9, 0.1, 1.9, 12]}]}
                 self.expect(0, "run", self.scene(scene), "--until", "2", "--fps", "60", "--states", "s.csv", "--quiet")
 
+    def test_they_close_where_light_cubes_carry_heavy_ones(self):
+        # An event a moment behind a step of 1e-16 s: no polynomial may be followed that far.
+        heavy, light = 3794.7689254228235, 0.0002635206568970671
+        stack = ((0.2999908798122497, 0.5, 1, 1, heavy), (0.2999908798122497, 1.25, 1.5, 0.5, light), (0.4246051036725459, 1.75, 0.5, 0.5, 1),
+                 (0.8778315328760202, 2.5, 1, 1, light), (1.3602974572166775, 3.25, 1.5, 0.5, heavy), (1.3602974572166775, 4.0, 1, 1, light))
+        cubes = [{"name": f"c{k}", "size": [w, h], "mass": m, "position": [x, y]} for k, (x, y, w, h, m) in enumerate(stack)]
+        scene = {"version": 1, "material": {"friction": 0.5}, "plane": [{"name": "floor"}], "cube": cubes}
+        energy = self.summary(scene, "--until", "0.2")["audit"]["energy"]
+        self.assertLess(abs(energy["drift"]), 1e-3)
+        self.assertLess(energy["friction_loss"], energy["start"])
+
 
 if __name__ == "__main__":
     main()

@@ -19,6 +19,8 @@ constexpr double first_step = 0.1;
 constexpr double shortest_step = 1e-11;
 constexpr double first_fall = 4.0;
 constexpr double fall_growth = 4.0;
+/// A polynomial is followed beyond its step by no more than this share of it; steps that short are parabolas.
+constexpr double beyond_share = 0.01;
 /// The angle by which cubes turn at most within one free fall, rad: the search for events looks at
 /// every turn.
 constexpr double most_turning = 50.0;
@@ -262,6 +264,9 @@ void SmoothPhase::shift_end(double time) {
   step_.flown = shifted(std::move(step_.flown), time);
   step_.elapsed += time;
   step_.push += time * end_push_;
+  if (step_.elapsed <= (1.0 + beyond_share) * step_.length) return;
+  step_.length = step_.elapsed;
+  set_parabola(y_, rate_, step_.length, step_.motion);
 }
 
 bool SmoothPhase::rods_contradict() const {
