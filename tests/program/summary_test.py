@@ -236,10 +236,10 @@ class Tables(ProgramTest):
 class Books(ProgramTest):
     def test_they_close_at_every_look_where_a_pile_bounces_and_rubs(self):
         # Looks within steps in which one cube strikes several others.
-        for count, seed in ((7, 3), (9, 1), (9, 4)):
-            with self.subTest(seed):
+        for count, seed, friction, restitution in ((7, 3, 0.3, 0.5), (9, 1, 0.3, 0.5), (9, 4, 0.3, 0.5), (12, 3, 0.0, 0.7)):
+            with self.subTest((count, seed)):
                 wall = {"size": [1, 40]}
-                scene = {"version": 1, "material": {"friction": 0.3, "restitution": 0.5}, "plane": [{"name": "floor"}],
+                scene = {"version": 1, "material": {"friction": friction, "restitution": restitution}, "plane": [{"name": "floor"}],
                          "fixed": [{"name": "left", "position": [-2.5, 20], **wall}, {"name": "right", "position": [2.5, 20], **wall}],
                          "pile": [{"count": count, "size": 0.7, "seed": seed, "region": [-1.9, 0.1, 1.9, 12]}]}
                 self.expect(0, "run", self.scene(scene), "--until", "2", "--fps", "60", "--states", "s.csv", "--quiet")

@@ -191,8 +191,10 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
   add_rods(system, stride, end, component, balances);
   for (std::size_t k = 0; k < balances.size(); ++k) {
     std::vector<StepLoss>& losses = record.components[k].losses;
-    // What sides gain in a blow that its normals pay for is no friction.
-    balances[k].closing += std::min(balances[k].friction, 0.0);
+    // What sides gain in a blow that its normals pay for is no friction; nor is, where nothing rubs, what they lose in one
+    // that is taken back where its normal has turned.
+    const bool of_blows = system.bounces && !system.rubs;
+    balances[k].closing += of_blows ? balances[k].friction : std::min(balances[k].friction, 0.0);
     balance(balances[k], losses);
     if (system.rubs && balances[k].friction > 0.0)
       losses.push_back({1.0, balances[k].friction, true});
