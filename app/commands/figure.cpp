@@ -95,6 +95,11 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const Still still = compose_still(scene, still_options, stop, font);
   if (still.labels_left_out > 0)
     notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
+  if (still.legend_left_out > 0)
+    notes.add(
+        fmt::format("{} entries of the legend have no room and are left out: take a larger "
+                    "--size, a smaller --scale or fewer --layers",
+                    still.legend_left_out));
   if (!still.hint.empty()) notes.add(still.hint);
   output.write(encode(still, asked, font));
   output.finish();
