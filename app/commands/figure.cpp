@@ -86,6 +86,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   note_crowd(scene, asked.still.picture.layers, notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
+  still_options.picture.layers = drawn_layers(asked.still.picture, options.given("--layers"));
   if (asked.until) still_options.end = asked.until;
   // A strip has the scene's shape.
   if (asked.still.strip && !options.given("--size")) still_options.picture.size.height = 0;

@@ -290,13 +290,14 @@ void add_color_bar(const FrameParts& parts) {
   const double right = parts.view.width - hud_margin * unit;
   const double bar_left = right - color_bar_width * unit + 12.0 * unit;
   const double bar_width = 14.0 * unit;
-  const double high = 0.22 * parts.view.height;
-  const double low = 0.72 * parts.view.height;
+  const double high = std::round(0.22 * parts.view.height);
+  const double low = std::round(0.72 * parts.view.height);
   const bool load = coloring.by == ColorBy::load;
   add_plate(parts, {bar_left, high - 2.2 * size, right, low + 0.5 * size});
   // Each up to the top, the next over it: without seams.
   for (int k = 0; k < steps; ++k)
-    add_bar(parts, {bar_left, high, bar_left + bar_width, low - k * (low - high) / steps},
+    add_bar(parts,
+            {bar_left, high, bar_left + bar_width, std::round(low - k * (low - high) / steps)},
             scale_color(parts.style, (k + 0.5) / steps));
   const auto write = [&](std::string text, double x, double y) {
     TextShape shape;
