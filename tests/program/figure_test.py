@@ -135,6 +135,11 @@ class Formats(ProgramTest):
         self.expect(0, "figure", scene, "--explode", "0.3", "-o", "f.png")
         self.expect(0, "figure", scene, "--explode", "0.3", "-o", "g.png", "--layers", "cubes,forces,weights,values,hud")
         self.assertEqual(self.expect(0, "compare", "f.png", "g.png").stdout, "identical\n")
+        self.expect(0, "figure", scene, "--explode", "0.3", "--strip", "2x1", "-o", "f.svg")
+        with open(self.path("f.svg")) as file:
+            texts = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+        self.assertIn("weight", texts)
+        self.assertNotIn("thrust", texts)
 
     def test_the_papers_symbols_stand_in_its_figures(self):
         for scene, layers, symbols in (("fig3_sides", "cubes,sides", "p i p j p k A 1"),
