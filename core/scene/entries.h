@@ -35,6 +35,7 @@ struct Limits {
 namespace limits {
 inline constexpr Limits coordinate{-1e15, 1e15};  // m
 inline constexpr Limits size{1e-12, 1e12};        // m
+inline constexpr Limits rod_length{0.0, 1e12};    // m; 0 is told what to use instead
 inline constexpr Limits mass{1e-30, 1e30};        // kg
 inline constexpr Limits density{1e-30, 1e30};     // kg/m^2
 inline constexpr Limits angle{-1e6, 1e6};         // rad: sin_cos keeps its accuracy
@@ -402,7 +403,7 @@ void describe(Keys& keys, RodEntry& rod) {
   keys.required("from", rod.from, limits::coordinate, place_doc);
   keys.required("to", rod.to, limits::coordinate, place_doc);
   keys.value(
-      "length", rod.length, limits::size,
+      "length", rod.length, limits::rod_length,
       "m; default the distance of the two places at the start, which it must be in any case");
 }
 

@@ -34,8 +34,10 @@ class JointReader {
     if (std::abs(distance - rod.length) > touching_tolerance * rod.length) {
       source_.fail(
           place_of(entry.origin, "length"), entry.origin.path + ".length",
-          fmt::format("must be the distance of the two places at the start, {} m; it is {} m",
-                      distance, rod.length));
+          fmt::format(
+              "must be the distance of the two places at the start, {} m; it is {} m{}", distance,
+              rod.length,
+              rod.length == 0.0 ? ". Places that stay together are joined by a [[pin]]" : ""));
     }
     rod.from = from.place;
     rod.to = to.place;

@@ -190,6 +190,10 @@ class MissingSolver(ProgramTest):
 
 
 class Run(ProgramTest):
+    def test_a_motion_beyond_all_bounds_ends_a_run_with_what_to_do(self):
+        done = self.expect(4, "run", "hanging_chain", "--integrator", "euler", "--quiet")
+        self.assertRegex(done.stderr, r"runs away from all bounds at .* s: steps of .* are too long for --integrator euler; try a shorter --step")
+
     def test_falling_is_no_failure_of_a_run(self):
         self.expect(0, "run", self.scene(FALLING))
         self.expect(0, "run", self.scene(LANDING))

@@ -136,6 +136,7 @@ class Rods(ProgramTest):
             "a missing name": ({"point": [point], "rod": [{"from": "pb", "to": [0, 0]}]}, r'rod\[1\]\.from: there is no body "pb"; did you mean "pa"'),
             "a missing part": ({"cube": [cube], "rod": [{"from": "a.nx", "to": [0, 3]}]}, r'rod\[1\]\.from: "a" has no part "nx"; did you mean "ne"'),
             "a part of a point": ({"point": [point], "rod": [{"from": "pa.n", "to": [0, 0]}]}, r'"pa" is a point, which has no parts'),
+            "length 0": ({"point": [point], "rod": [{"from": "pa", "to": [0, -2], "length": 0}]}, r"stay together are joined by a \[\[pin\]\]"),
             "no length": ({"point": [point], "rod": [{"from": "pa", "to": [0, -1]}]}, r"places coincide; use a \[\[pin\]\]"),
             "a length that it has not": ({"point": [point], "rod": [{"from": "pa", "to": [0, 0], "length": 1.5}]}, r"the distance of the two places at the start, 1 m; it is 1.5 m"),
             "a pin apart": ({"point": [point], "pin": [{"from": "pa", "to": [0, -1.02]}]}, r"must coincide; they are 0.02 m apart"),

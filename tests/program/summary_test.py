@@ -233,5 +233,17 @@ class Tables(ProgramTest):
                 self.assertLessEqual(s["audit"]["max_rod_error"], 1e-12)
 
 
+class Books(ProgramTest):
+    def test_they_close_at_every_look_where_a_pile_bounces_and_rubs(self):
+        # Looks within steps in which one cube strikes several others.
+        for count, seed in ((7, 3), (9, 1), (9, 4)):
+            with self.subTest(seed):
+                wall = {"size": [1, 40]}
+                scene = {"version": 1, "material": {"friction": 0.3, "restitution": 0.5}, "plane": [{"name": "floor"}],
+                         "fixed": [{"name": "left", "position": [-2.5, 20], **wall}, {"name": "right", "position": [2.5, 20], **wall}],
+                         "pile": [{"count": count, "size": 0.7, "seed": seed, "region": [-1.9, 0.1, 1.9, 12]}]}
+                self.expect(0, "run", self.scene(scene), "--until", "2", "--fps", "60", "--states", "s.csv", "--quiet")
+
+
 if __name__ == "__main__":
     main()

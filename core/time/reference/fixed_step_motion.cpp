@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/constraints/rod.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
+#include "core/qp/qp_solver.h"
 #include "core/time/policy.h"
 #include "core/time/promises.h"
 #include "core/time/rod_events.h"
@@ -14,6 +17,8 @@ namespace {
 
 /// What Moreau's steps may gain, as a share of what was in motion and was lost.
 constexpr double gained_share = 0.1;
+/// What moves with more than so many times the energy of the start moves no more by any law.
+constexpr double diverged_times = 1e12;
 /// Share of a step within which a time counts as a grid time.
 constexpr double same_time = 1e-9;
 
@@ -91,6 +96,7 @@ void FixedStepMotion::step() {
     return;
   }
   work_ += system_->cubes;
+  if (!(kinetic_energy(*system_, grid_.state) <= diverged_times * in_motion_)) fail();
   const State before = grid_.state;
   grid_.push = {};
   std::visit([&](auto& method) { method.step(grid_, settings_.step, book_); }, method_);
@@ -100,6 +106,14 @@ void FixedStepMotion::step() {
   hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
   if (policy_of(settings_).method == MotionPolicy::Method::moreau) note_energy();
+}
+
+void FixedStepMotion::fail() const {
+  throw SolverError(
+      fmt::format("the motion runs away from all bounds at {:.4g} s: steps of {:.4g} s are too "
+                  "long for --integrator {}; try a shorter "
+                  "--step, or another integrator",
+                  grid_.t, settings_.step, to_string(settings_.integrator)));
 }
 
 /// Moreau's steps lose energy by themselves and gain none but by their order: what gains more is wrong.

@@ -36,6 +36,7 @@ class FixedStepMotion final : public Motion {
   void begin(const State& state);
   void note_rods();
   void note_energy();
+  [[noreturn]] void fail() const;
 
   const System* system_;
   MotionSettings settings_;

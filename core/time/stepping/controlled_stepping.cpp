@@ -17,7 +17,7 @@ constexpr double rise_share = 1e-4;
 /// What of that nothing can pay for is to be no more than this share of it.
 constexpr double unpaid_share = 1e-4;
 constexpr double shortest_share = 1.0 / 16.0;
-/// Where energy sways a step may add no more than this share of what it may sway by.
+/// Where energy sways a step with rods may add no more than this share of what it may sway by.
 constexpr double sway_of_step = 0.1;
 /// They are doubled where error and rise are below these shares of what is allowed.
 constexpr double doubled_error = 0.1;
@@ -32,7 +32,7 @@ ControlledStepping::ControlledStepping(const System& system, const MotionSetting
     : system_(&system),
       stepper_(system, settings, policy_of(settings).sway),
       allowed_error_(policy_of(settings).allowed_error),
-      sway_(policy_of(settings).sway) {}
+      sway_(system.rods.empty() ? 0.0 : policy_of(settings).sway) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);
@@ -69,7 +69,8 @@ double ControlledStepping::in_motion() const {
 /// By how much energy may rise in a step before it is put right, J.
 double ControlledStepping::bearable_rise() const { return rise_share * in_motion(); }
 
-/// By how much a step may change energy that sways, J.
+/// By how much a step may change energy that sways, J. Without rods it is put right before it has strayed far, and shorter
+/// steps would cost a third more.
 double ControlledStepping::bearable_sway() const {
   return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : std::numeric_limits<double>::infinity();
 }
