@@ -142,7 +142,7 @@ void add_picture_options(Options& options, PictureOptions& picture) {
       [&picture](const Text& text) { picture.color_top = parse_positive("--color-top", text); });
   options.single("--explode", "S",
                  "free bodies: each farther from the others by this share of their distance, with "
-                 "all forces on it [0]",
+                 "all forces on it, weights and numbers [0]",
                  [&picture](const Text& text) { picture.explode = parse_time("--explode", text); });
   options.single("--legend", "A,B,..",
                  fmt::format("what the legend says of forces: any of {} [what occurs]",

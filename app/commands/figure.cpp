@@ -86,6 +86,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   note_crowd(scene, asked.still.picture.layers, notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
+  still_options.picture.layers = drawn_layers(asked.still.picture, options.given("--layers"));
   if (asked.until) still_options.end = asked.until;
   // A strip has the scene's shape.
   if (asked.still.strip && !options.given("--size")) still_options.picture.size.height = 0;
@@ -95,6 +96,11 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const Still still = compose_still(scene, still_options, stop, font);
   if (still.labels_left_out > 0)
     notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
+  if (still.legend_left_out > 0)
+    notes.add(
+        fmt::format("{} entries of the legend have no room and are left out: take a larger "
+                    "--size, a smaller --scale or fewer --layers",
+                    still.legend_left_out));
   if (!still.hint.empty()) notes.add(still.hint);
   output.write(encode(still, asked, font));
   output.finish();

@@ -194,7 +194,8 @@ Answer answer(const RunOptions& asked,
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
   if (!asked.outputs.empty() && asked.picture.size.height == 0)
     throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
-  const RunOptions suited = with_rate_of_gif(asked, options, notes);
+  RunOptions suited = with_rate_of_gif(asked, options, notes);
+  suited.picture.layers = drawn_layers(asked.picture, options.given("--layers"));
   if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
   if (!asked.outputs.empty()) note_crowd(scene, asked.picture.layers, notes);
   return run({suited, scene, make_plan(suited, scene), since_start}, form, notes);

@@ -101,6 +101,14 @@ std::string_view to_string(Fit fit) {
   return "?";
 }
 
+Layers drawn_layers(const PictureOptions& options, bool asked) {
+  Layers layers = options.layers;
+  if (asked || !(options.explode > 0.0)) return layers;
+  layers.insert(Layer::weights);
+  layers.insert(Layer::values);
+  return layers;
+}
+
 ForceScaleChoice parse_force_scale(std::string_view text) {
   const std::vector<double> numbers = parse_numbers("--force-scale", text);
   const bool positive = std::ranges::all_of(numbers, [](double v) { return v >= 0.0; });

@@ -49,6 +49,9 @@ struct PictureOptions {
   PngEncoder encoder = PngEncoder::isa_l;  ///< changes files, not pictures
 };
 
+/// What is drawn: of free bodies all forces, with weights and numbers, unless layers were `asked` for.
+Layers drawn_layers(const PictureOptions& options, bool asked);
+
 /// "S" or "S,LONGEST,SMALLEST". Throws UsageError.
 ForceScaleChoice parse_force_scale(std::string_view text);
 

@@ -23,7 +23,8 @@ bool has_legend(const StillOptions& options) { return options.picture.layers.has
 
 StripLayout layout_of(const StillOptions& options) {
   const auto [width, height] = options.picture.size;
-  return strip_layout(*options.strip, width, height, options.picture.scale, has_legend(options));
+  return strip_layout(*options.strip, width, height, options.picture.scale,
+                      has_legend(options) ? options.legend_rows : 0);
 }
 
 // Frames of a strip are smaller, and their captions take the place of the HUD.
@@ -223,8 +224,10 @@ void add_strip(const StillOptions& options,
   view.height = layout.foot_height;
   FrameOptions frame = frame_options(fitted);
   frame.layers.insert(Layer::hud);
-  still.cells.push_back({compose_legend(first, view, layout.unit, style, frame, font), 0,
-                         layout.height - layout.foot_height});
+  frame.layers.erase(Layer::cubes);  // the page has no ground
+  DrawList legend = compose_legend(first, view, layout.unit, style, frame, font);
+  still.legend_left_out = legend.legend_left_out;
+  still.cells.push_back({std::move(legend), 0, layout.height - layout.foot_height});
 }
 
 FigureTexts texts_of(const Still& still, const Snapshot& first) {
@@ -237,6 +240,45 @@ FigureTexts texts_of(const Still& still, const Snapshot& first) {
   for (const SnapshotBox& box : first.boxes)
     texts.bodies.push_back(box.name);
   return texts;
+}
+
+}  // namespace
+
+namespace {
+
+/// What is known of a motion before it is drawn.
+struct Filmed {
+  const Scene& scene;
+  const Recording& motion;
+  const std::vector<Instant>& instants;
+  const Snapshot& first;
+  const Snapshot& extras;
+};
+
+/// The pictures, the legend, and the texts that go with them.
+void draw(const Filmed& filmed, StillOptions options, Font& font, Still& still) {
+  options.picture.size = size_of(options, filmed.motion);
+  const auto picture =
+      options.strip ? cell_options(options.picture, layout_of(options)) : options.picture;
+  PictureOptions fitted = fit_to_motion(picture, filmed.motion);
+  fitted.legend = legend_of(fitted, range_of_shown(filmed.motion, filmed.instants));
+  Cells cells = compose_cells(filmed.motion, filmed.instants, fitted, filmed.extras, font);
+  if (options.picture.camera.kind == Camera::Kind::fit) still.hint = cells.hint;
+  still.labels_left_out = still.legend_left_out = 0;
+  for (const DrawList& list : cells.lists) {
+    still.labels_left_out += list.labels_left_out;
+    still.legend_left_out += list.legend_left_out;
+  }
+  still.origin = {time_text(options.times)};
+  for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(filmed.scene)))
+    still.origin.push_back(std::move(text));
+  still.texts = texts_of(still, filmed.first);
+  still.cells.clear();
+  if (options.strip) {
+    add_strip(options, fitted, filmed.first, std::move(cells.lists), font, still);
+  } else {
+    still.page = std::move(cells.lists.front());
+  }
 }
 
 }  // namespace
@@ -260,24 +302,11 @@ Still compose_still(const Scene& scene,
   });
   extras.ghosts = ghosts_of(scene, options, stop);
 
-  options.picture.size = size_of(options, motion);
-  const auto picture =
-      options.strip ? cell_options(options.picture, layout_of(options)) : options.picture;
-  PictureOptions fitted = fit_to_motion(picture, motion);
-  fitted.legend = legend_of(fitted, range_of_shown(motion, instants));
-  Cells cells = compose_cells(motion, instants, fitted, extras, font);
-  if (options.picture.camera.kind == Camera::Kind::fit) still.hint = cells.hint;
-  for (const DrawList& list : cells.lists)
-    still.labels_left_out += list.labels_left_out;
-
-  still.origin.push_back(time_text(options.times));
-  for (PngText& text : origin_texts(settings_text(options, fitted), normalised_scene(scene)))
-    still.origin.push_back(std::move(text));
-  still.texts = texts_of(still, first);
-  if (options.strip) {
-    add_strip(options, fitted, first, std::move(cells.lists), font, still);
-  } else {
-    still.page = std::move(cells.lists.front());
+  const Filmed filmed{scene, motion, instants, first, extras};
+  draw(filmed, options, font, still);
+  if (options.strip && still.legend_left_out > 0) {
+    options.legend_rows = 2;
+    draw(filmed, options, font, still);
   }
   return still;
 }

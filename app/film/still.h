@@ -25,6 +25,7 @@ struct StillOptions {
   PictureOptions picture;
   std::vector<double> times{0.0};  ///< s, ascending; one for each picture of a strip
   std::optional<StripGrid> strip;
+  int legend_rows = 1;  ///< of a strip
   /// Frames of the film that the picture fits into: how often trails look where cubes are, too.
   FrameRate rate;
   std::optional<double> end;  ///< s, of that film; none: the scene's duration
@@ -41,7 +42,8 @@ struct Still {
   FigureTexts texts;  ///< of vector figures
   AccuracyWatch accuracy;
   int labels_left_out = 0;
-  std::string hint;  ///< how more would be seen; see hint_at_specks
+  int legend_left_out = 0;  ///< entries
+  std::string hint;         ///< how more would be seen; see hint_at_specks
 };
 
 /// Simulates up to the last of the times. Throws SceneError, RenderError,

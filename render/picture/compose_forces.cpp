@@ -16,7 +16,8 @@ namespace {
 constexpr double tooth_spacing = 7.0;   ///< of the comb that shows a pressure
 constexpr double pressure_share = 0.3;  ///< of an arrow's length, that an even pressure is deep
 constexpr double deepest = 0.45;        ///< m of pressure per m of typical arrow limit
-constexpr int digits = 3;               ///< of numbers beside arrows
+constexpr double readable_cut_arrow = 24.0;  ///< px, for a head and the sign of the cut
+constexpr int digits = 3;                    ///< of numbers beside arrows
 
 Color joint_color(const FrameParts& parts) { return parts.style.contact; }
 
@@ -25,7 +26,8 @@ Color joint_color(const FrameParts& parts) { return parts.style.contact; }
 void label_arrow(const FrameParts& parts, const PendingArrow& pending) {
   const ArrowShape& arrow = pending.shape;
   TextShape text;
-  text.text = with_prefix(pending.newton, "N", digits, Zeros::kept);
+  // A hair more, so that equal forces are rounded alike: 4.905 N is half-way between two numbers.
+  text.text = with_prefix(pending.newton * (1.0 + 1e-9), "N", digits, Zeros::kept);
   text.size = static_cast<float>(0.86 * parts.style.text_size * parts.unit);
   text.color = arrow.color;
   text.halo = parts.style.halo;
@@ -51,6 +53,32 @@ void label_arrow(const FrameParts& parts, const PendingArrow& pending) {
   const std::span<const Pixel> wanted(places);
   parts.labels.place(std::move(text), pending.dot > 0.0 ? wanted.subspan(1) : wanted, parts.font,
                      parts.list);
+}
+
+bool contains(const SnapshotBox& box, const Vec2& place) {
+  const Vec2 along(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 from_center = place - box.center;
+  return std::abs(from_center.dot(along)) < 0.5 * box.size.x()
+         && std::abs(from_center.dot(perp(along))) < 0.5 * box.size.y();
+}
+
+/// An arrow cut by a thin body that pushes, too short to be read, begins behind that body where
+/// nothing else is.
+JointArrow readable(const FrameParts& parts, const SnapshotJoint& joint, const JointArrow& arrow) {
+  const ForceScale& scale = parts.options.force_scale;
+  const double force = joint.force.norm();
+  const double full = std::min(scale.metres_per_newton * force, scale.longest);
+  const double length =
+      std::min(full, parts.metres(readable_cut_arrow * parts.unit * parts.fineness));
+  if (!arrow.cut || !(arrow.length() < length)) return arrow;
+  const Vec2 tail = joint.point - length / force * joint.force;
+  const auto is_free = [&](const Vec2& place) {
+    for (int k = 0; k < static_cast<int>(parts.snapshot.boxes.size()); ++k)
+      if (k != joint.other && contains(parts.snapshot.boxes[k], place)) return false;
+    return true;
+  };
+  if (!is_free(tail) || !is_free(0.5 * (tail + arrow.tail))) return arrow;
+  return {tail, arrow.tip, length < scale.metres_per_newton * force * (1.0 - 1e-6)};
 }
 
 /// A pressure along a face, from one end to the other: N/m at both. Where the resultant lies outside
@@ -131,7 +159,8 @@ void add_dot(const FrameParts& parts, Pixel place, Color color, double radius) {
 void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
   const double least = least_arrow(parts);
   for (const SnapshotJoint& joint : parts.snapshot.joints) {
-    const JointArrow arrow = joint_arrow(parts.snapshot, joint, parts.options.force_scale);
+    const JointArrow arrow =
+        readable(parts, joint, joint_arrow(parts.snapshot, joint, parts.options.force_scale));
     const bool room = arrow.length() * parts.view.pixels_per_metre
                       >= 0.5 * shortest_force_arrow * parts.unit * parts.fineness;
     if (joint.force.norm() < least || !room) {
@@ -162,7 +191,7 @@ void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arro
     // From the place where it acts into the body.
     const Vec2 tail = force.point;
     arrows.push_back({styled_arrow(parts, parts.pixel(tail), parts.pixel(tail + arrow), color),
-                      form, full > scale.longest, magnitude});
+                      form, scale.cuts(magnitude), magnitude});
   }
 }
 
@@ -181,7 +210,7 @@ void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
     }
     const Vec2 tip = box.center + std::min(full, scale.longest) / magnitude * weight;
     arrows.push_back({styled_arrow(parts, center, parts.pixel(tip), parts.style.own_weight),
-                      ArrowForm::filled, full > scale.longest, magnitude, force_dot});
+                      ArrowForm::filled, scale.cuts(magnitude), magnitude, force_dot});
   }
 }
 

@@ -86,6 +86,15 @@ double foot_height(const Style& style, const FrameOptions& options, double unit)
   return (44.0 + style.text_size + (options.foot_lines - 1) * line_height * style.text_size) * unit;
 }
 
+/// What is drawn of bodies that are apart already: their forces act on each by itself.
+FrameOptions cut_free(const FrameOptions& options) {
+  FrameOptions apart = options;
+  apart.explode = 0.0;
+  if (options.layers.has(Layer::forces)) apart.layers.insert(Layer::contact_forces);
+  apart.layers.erase(Layer::forces);
+  return apart;
+}
+
 }  // namespace
 
 HudParts hud_parts(const Style& style, const FrameOptions& options, int width, int height) {
@@ -114,13 +123,8 @@ DrawList compose_frame(const Snapshot& snapshot,
                        const FrameOptions& options,
                        Font& font) {
   if (options.layers.has(Layer::instances)) return instances(snapshot, view);
-  if (options.explode > 0.0) {
-    FrameOptions apart = options;
-    apart.explode = 0.0;
-    if (options.layers.has(Layer::forces)) apart.layers.insert(Layer::contact_forces);
-    apart.layers.erase(Layer::forces);
-    return compose_frame(exploded(snapshot, options.explode), view, style, apart, font);
-  }
+  if (options.explode > 0.0)
+    return compose_frame(exploded(snapshot, options.explode), view, style, cut_free(options), font);
   DrawList list;
   list.width = view.width;
   list.height = view.height;
@@ -185,6 +189,8 @@ DrawList compose_legend(const Snapshot& snapshot,
                         const Style& style,
                         const FrameOptions& options,
                         Font& font) {
+  if (options.explode > 0.0)
+    return compose_legend(snapshot, view, unit, style, cut_free(options), font);
   DrawList list;
   list.width = view.width;
   list.height = view.height;

@@ -96,16 +96,19 @@ void add_acceleration_entries(const FrameParts& parts, LegendRow& row) {
 void add_force_entries(const FrameParts& parts, LegendRow& row) {
   const FrameOptions& options = parts.options;
   const double scale = options.force_scale.metres_per_newton;
-  const Color color = parts.style.contact;
   const bool corners = parts.has(Layer::contact_forces);
-  if (corners && options.legend.has(LegendEntry::friction)) {
+  const bool pushes = corners || (parts.has(Layer::forces) && !is_crowd(parts.snapshot));
+  const Color color = pushes ? parts.style.contact : parts.style.own_weight;
+  if (!pushes) {
+    row.arrow({scale, "N", "weight"}, color, ArrowForm::filled);
+  } else if (corners && options.legend.has(LegendEntry::friction)) {
     row.arrow({scale, "N", "contact"}, color, ArrowForm::filled);
     row.arrow({scale, "N", "friction"}, parts.style.friction, ArrowForm::half);
   } else {
     row.arrow({scale, "N", ""}, color, ArrowForm::filled);
   }
-  if (parts.has(Layer::weights)) row.sample("weight", parts.style.own_weight, {});
-  if (options.legend.has(LegendEntry::several))
+  if (pushes && parts.has(Layer::weights)) row.sample("weight", parts.style.own_weight, {});
+  if (pushes && options.legend.has(LegendEntry::several))
     row.sample("one of many possible", color, {.hollow = true});
   if (parts.has(Layer::whiskers) && options.legend.has(LegendEntry::range))
     row.whisker("from least to most");

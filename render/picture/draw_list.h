@@ -127,6 +127,7 @@ struct DrawList {
   std::vector<ShapeGroup> groups;  ///< in the painting order
   std::vector<TextShape> texts;
   int labels_left_out = 0;  ///< for want of a free place
+  int legend_left_out = 0;  ///< entries that the legend has no room for
 
   /// Equal lists are equal pictures.
   friend bool operator==(const DrawList&, const DrawList&) = default;

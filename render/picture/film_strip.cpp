@@ -17,7 +17,8 @@ constexpr int smallest_cell = 16;
 constexpr double gap_size = 14.0;  ///< px of a 1280x720 picture
 constexpr double caption_size = 13.0;
 constexpr double title_room = 30.0;
-constexpr double legend_room = 40.0;
+constexpr double legend_room = 40.0;  ///< of its first row
+constexpr double legend_row = 20.0;   ///< of each more
 
 /// Strokes of one pixel just outside the frame at `place`.
 void add_border(CellPlace place, const StripLayout& layout, Color color, DrawList& page) {
@@ -38,7 +39,7 @@ void add_border(CellPlace place, const StripLayout& layout, Color color, DrawLis
 
 }  // namespace
 
-StripLayout strip_layout(StripGrid grid, int width, int height, double scale, bool legend) {
+StripLayout strip_layout(StripGrid grid, int width, int height, double scale, int legend_rows) {
   // Compared in floating point first: no number of frames and no scale can overflow.
   const double unit = frame_unit(width, height, scale);
   const double least_gap = gap_size * unit + smallest_cell;
@@ -49,9 +50,10 @@ StripLayout strip_layout(StripGrid grid, int width, int height, double scale, bo
   layout.width = width;
   layout.height = height;
   layout.unit = unit;
-  if (legend) {
+  if (legend_rows > 0) {
     layout.head_height = static_cast<int>(std::lround(title_room * unit));
-    layout.foot_height = static_cast<int>(std::lround(legend_room * unit));
+    layout.foot_height =
+        static_cast<int>(std::lround((legend_room + (legend_rows - 1) * legend_row) * unit));
   }
   layout.gap = static_cast<int>(std::lround(gap_size * layout.unit));
   layout.caption_height = static_cast<int>(std::lround(1.7 * caption_size * layout.unit));

@@ -29,9 +29,9 @@ struct StripLayout {
   int caption_height = 0;
   double unit = 1.0;  ///< text scale
 };
-/// With a title and a legend or without. Throws RenderError where the frames would be smaller than
-/// 16 pixels.
-StripLayout strip_layout(StripGrid grid, int width, int height, double scale, bool legend = false);
+/// With a title and a legend of so many rows, or without. Throws RenderError where the frames would
+/// be smaller than 16 pixels.
+StripLayout strip_layout(StripGrid grid, int width, int height, double scale, int legend_rows = 0);
 
 /// `count` times from 0 to `end`, both included, evenly spaced (one: the end).
 std::vector<double> strip_times(int count, double end);

@@ -66,7 +66,7 @@ JointArrow joint_arrow(const Snapshot& snapshot,
     length =
         std::min(length, share_of_pusher
                              * depth_along(snapshot.boxes[joint.other], joint.point, -direction));
-  return {joint.point - length * direction, joint.point, length < full * (1.0 - 1e-9)};
+  return {joint.point - length * direction, joint.point, length < full * (1.0 - 1e-6)};
 }
 
 void ForceRange::include(double magnitude) {
@@ -103,9 +103,7 @@ double ForceRange::typical_side() const {
 }
 
 bool ForceRange::cuts(const ForceScale& scale) const {
-  constexpr double hair = 1.0 + 1e-9;
-  return scale.metres_per_newton * largest_ > scale.longest * hair
-         || scale.metres_per_newton * steepest_ > hair;
+  return scale.cuts(largest_) || scale.metres_per_newton * steepest_ > 1.0 + 1e-6;
 }
 
 ForceScale ForceRange::scale() const {

@@ -16,6 +16,12 @@ struct ForceScale {
   double metres_per_newton = 0.0;  ///< 0: no arrows
   double longest = 1e300;          ///< m; a longer arrow is cut there and marked as broken
   double hidden_below = 0.0;       ///< N; smaller forces are dots
+
+  /// Whether an arrow is shorter than its force asks for. A millionth is rounding: arrows of equal
+  /// forces look alike.
+  [[nodiscard]] bool cuts(double newton) const {
+    return newton * metres_per_newton > longest * (1.0 + 1e-6);
+  }
 };
 
 /// Where the arrow of a joint lies: it comes from inside the body that pushes and ends where it

@@ -121,14 +121,18 @@ void LegendRow::paint_plate() const {
 
 template <typename Draw>
 void LegendRow::entry(double symbol, std::string_view label, const Draw& draw) {
-  // The foot of a strip has room for one.
-  const bool second = row_ == 0 && baseline_ - (0.76 + line_height) * size_ > 0.0;
+  // The foot of a strip has room for one at first.
+  const double height = parts_.view.height - hud_margin * parts_.unit;
+  const bool second = row_ == 0 && height > (0.76 + line_height) * size_;
   const double width = parts_.font.width(label, size_);
   const double wanted = symbol + label_gap * parts_.unit + width;
   const double end = parts_.view.width - hud_margin * parts_.unit;
   if (x_ + wanted > end) {
     const double start = hud_margin * parts_.unit;
-    if (!second || start + wanted > end) return;
+    if (!second || start + wanted > end) {
+      if (pass_ == Pass::painting) ++parts_.list.legend_left_out;
+      return;
+    }
     ++row_;
     x_ = start;
     baseline_ += line_height * size_;
@@ -286,16 +290,15 @@ void add_color_bar(const FrameParts& parts) {
   const double right = parts.view.width - hud_margin * unit;
   const double bar_left = right - color_bar_width * unit + 12.0 * unit;
   const double bar_width = 14.0 * unit;
-  const double high = 0.22 * parts.view.height;
-  const double low = 0.72 * parts.view.height;
+  const double high = std::round(0.22 * parts.view.height);
+  const double low = std::round(0.72 * parts.view.height);
   const bool load = coloring.by == ColorBy::load;
   add_plate(parts, {bar_left, high - 2.2 * size, right, low + 0.5 * size});
-  for (int k = 0; k < steps; ++k) {
-    const double step = (low - high) / steps;
+  // Each up to the top, the next over it: without seams.
+  for (int k = 0; k < steps; ++k)
     add_bar(parts,
-            {bar_left, low - (k + 1) * step - 0.3, bar_left + bar_width, low - k * step + 0.3},
+            {bar_left, high, bar_left + bar_width, std::round(low - k * (low - high) / steps)},
             scale_color(parts.style, (k + 0.5) / steps));
-  }
   const auto write = [&](std::string text, double x, double y) {
     TextShape shape;
     shape.text = std::move(text);

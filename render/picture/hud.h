@@ -38,7 +38,7 @@ struct ArrowMarks {
   bool cut = false;
 };
 
-/// A row of symbols with labels, from left to right, or two; what has no room then is left out. It is
+/// A row of symbols with labels, from left to right, or two; what has no room then is left out and counted. It is
 /// gone through twice: measured, so that the plate is as large as the rows, and painted.
 class LegendRow {
  public:

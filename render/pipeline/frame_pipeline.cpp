@@ -86,7 +86,8 @@ void FramePipeline::draw_frames() {
     if (!known) {
       DrawList list = compose_frame(job->snapshot, job->view, settings_.style, settings_.options,
                                     renderer.font());
-      labels_left_out_ = std::max(labels_left_out_.load(), list.labels_left_out);
+      labels_left_out_ =
+          std::max(labels_left_out_.load(), list.labels_left_out + list.legend_left_out);
       if (!last_revision || list != last) {
         frame.slot = free_slots_.pop();
         if (!frame.slot) return;

@@ -117,6 +117,30 @@ class Formats(ProgramTest):
         self.assertEqual(sum(text.endswith(" N") for text in texts), 1, texts)
         self.assertEqual(sum(text.startswith("t = ") for text in texts), 2, texts)
 
+    def test_a_legend_takes_a_second_row_or_tells_what_it_leaves_out(self):
+        layers = ("--layers", "cubes,contact-forces,weights,velocities,accelerations,thrust,joints,normals,hud")
+        scene = self.scene(FALLING)
+        done = self.expect(0, "figure", scene, "--strip", "2x1", "--size", "640x360", "-o", "f.svg", *layers)
+        self.assertNotIn("legend", done.stderr)
+        with open(self.path("f.svg")) as file:
+            texts = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+        for entry in ("weight", "pressure", "thrust", "normal"):
+            self.assertIn(entry, texts)
+        self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+        done = self.expect(0, "figure", scene, "--strip", "2x1", "--size", "240x180", "-o", "f.svg", *layers)
+        self.assertIn("entries of the legend have no room", done.stderr)
+
+    def test_free_bodies_have_weights_and_numbers(self):
+        scene = self.scene(STANDING)
+        self.expect(0, "figure", scene, "--explode", "0.3", "-o", "f.png")
+        self.expect(0, "figure", scene, "--explode", "0.3", "-o", "g.png", "--layers", "cubes,forces,weights,values,hud")
+        self.assertEqual(self.expect(0, "compare", "f.png", "g.png").stdout, "identical\n")
+        self.expect(0, "figure", scene, "--explode", "0.3", "--strip", "2x1", "-o", "f.svg")
+        with open(self.path("f.svg")) as file:
+            texts = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+        self.assertIn("weight", texts)
+        self.assertNotIn("thrust", texts)
+
     def test_the_papers_symbols_stand_in_its_figures(self):
         for scene, layers, symbols in (("fig3_sides", "cubes,sides", "p i p j p k A 1"),
                                        ("fig5_velocities", "cubes,normals,velocities", "p i p j p k v i v j v k α n"),

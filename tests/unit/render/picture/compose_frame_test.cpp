@@ -375,6 +375,65 @@ TEST_F(Composition, TheLegendNamesNormalsAndThrust) {
   EXPECT_FALSE(says({Layer::contact_forces, Layer::hud}, "thrust"));
 }
 
+TEST_F(Composition, TheLegendNamesTheForcesThatAreDrawn) {
+  const auto says = [&](Layers layers, std::string_view what) {
+    return std::ranges::any_of(compose(layers).texts, [&](const TextShape& text) {
+      return text.text.find(what) != std::string::npos;
+    });
+  };
+  options.legend = {LegendEntry::contact, LegendEntry::hidden};
+  EXPECT_TRUE(says({Layer::weights, Layer::hud}, "N weight"));
+  EXPECT_TRUE(arrows_of(compose({Layer::weights, Layer::hud}), style.contact).empty());
+  EXPECT_FALSE(says({Layer::weights, Layer::forces, Layer::hud}, "N weight"));
+  EXPECT_TRUE(says({Layer::forces, Layer::hud}, "below"));
+  EXPECT_FALSE(says({Layer::contact_forces, Layer::hud}, "friction"));
+  options.legend.insert(LegendEntry::friction);
+  EXPECT_TRUE(says({Layer::contact_forces, Layer::hud}, "friction"));
+}
+
+TEST_F(Composition, LegendEntriesWithoutRoomAreCounted) {
+  Layers all{Layer::hud};
+  for (const Layer layer : {Layer::cubes, Layer::contact_forces, Layer::weights, Layer::normals,
+                            Layer::joints, Layer::thrust, Layer::rod_forces})
+    all.insert(layer);
+  options.layers = all;
+  const auto left_out = [&](int width) {
+    view = test::literal_view(snapshot, style, options, width, 360);
+    return compose_frame(snapshot, view, style, options, font).legend_left_out;
+  };
+  EXPECT_EQ(left_out(1280), 0);
+  EXPECT_GT(left_out(200), 0);
+}
+
+TEST_F(Composition, ArrowsThatAThinBodyCutsBeginBehindIt) {
+  Snapshot plank;
+  plank.boxes = {snapshot.boxes[0], snapshot.boxes[0]};
+  plank.boxes[0].center = {0.0, 0.5};
+  plank.boxes[0].size = {1.0, 1.0};
+  plank.boxes[0].angle = 0.0;
+  plank.boxes[1] = plank.boxes[0];
+  plank.boxes[1].center = {0.0, -0.02};
+  plank.boxes[1].size = {2.0, 0.04};
+  plank.joints = {snapshot.joints[0]};
+  SnapshotJoint& joint = plank.joints[0];
+  joint.body = 0;
+  joint.other = 1;
+  joint.point = {0.0, 0.0};
+  joint.normal = {0.0, 1.0};
+  joint.from = {-0.5, 0.0};
+  joint.to = {0.5, 0.0};
+  joint.force = {0.0, 0.5 / options.force_scale.metres_per_newton};  // half a side long
+  snapshot = plank;
+  const auto free = arrows_of(compose({Layer::forces}), style.contact);
+  ASSERT_EQ(free.size(), 1U);
+  EXPECT_GT(length(free[0]), 0.04 * view.pixels_per_metre) << "longer than the plank is thick";
+  // Never into the next body.
+  snapshot.boxes.push_back(plank.boxes[0]);
+  snapshot.boxes[2].center = {0.0, -0.54};
+  for (const ArrowShape& arrow : arrows_of(compose({Layer::forces}), style.contact))
+    EXPECT_LT(length(arrow), 0.04 * view.pixels_per_metre);
+}
+
 TEST_F(Composition, SmallTextOnSlidesIsDark) {
   const Style slide = make_style(Theme::transparent);
   EXPECT_EQ(slide.quiet_ink, slide.ink);

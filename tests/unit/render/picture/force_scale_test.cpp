@@ -96,6 +96,12 @@ TEST(ForceScale, GivenByTheUserIsKept) {
   EXPECT_EQ(scale.longest, 12.0);
 }
 
+TEST(ForceScale, CutsNothingForARounding) {
+  const ForceScale scale{0.1, 1.0, 0.0};
+  EXPECT_FALSE(scale.cuts(10.0 * (1.0 + 1e-8)));
+  EXPECT_TRUE(scale.cuts(10.0 * (1.0 + 1e-4)));
+}
+
 TEST(JointArrow, EndsAtTheJointAndStaysInsideTheBodyThatPushes) {
   Snapshot snapshot = snapshot_with({100.0});
   SnapshotBox below = snapshot.boxes[0];
