@@ -3,9 +3,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "core/qp/coulomb/contact_memory.h"
 #include "core/qp/coulomb/coulomb_solver.h"
 #include "tests/support/friction_zoo.h"
 #include "tests/support/laid_bricks.h"
@@ -202,6 +204,49 @@ TEST(Coulomb, KeysFindContactsAgain) {
   solver.solve(c.view(), result, turned);
   EXPECT_EQ(result.stage, CoulombStage::certificate);
   EXPECT_EQ(before, result.multiplier);
+}
+
+// Velocities and displacements of one step differ by its length.
+TEST(Coulomb, ForcesFollowTheScaleOfTheProgram) {
+  FrictionCase c = test::friction_tower(3, {.mu = 0.5, .punch = 3.0});
+  CoulombSolver solver;
+  CoulombResult result;
+  const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
+  solver.solve(c.view(), result, keys);
+  std::vector<double> expected = result.multiplier;
+  for (auto* numbers : {&c.program.target, &c.program.bound, &expected}) {
+    for (double& number : *numbers)
+      number /= 256.0;
+  }
+  solver.solve(c.view(), result, keys);
+  EXPECT_EQ(result.stage, CoulombStage::certificate);
+  EXPECT_EQ(expected, result.multiplier);
+}
+
+// What is near in a placement need not touch where velocities are found.
+TEST(Coulomb, ModesOutliveProgramsWithoutTheirContact) {
+  const FrictionCase c = test::friction_tower(2, {.mu = 0.5});
+  ContactForm form;
+  form.prepare(c.view(), CoulombJudge().measure_scales(c.program));
+  const std::vector<std::uint64_t> keys{11, 3, 7, 5};
+  const std::vector<std::uint64_t> others{2, 4};
+  const std::vector<ContactMode> modes{ContactMode::open, ContactMode::slip_back,
+                                       ContactMode::stick, ContactMode::slip_forward};
+  ContactMemory memory;
+  memory.remember(keys, 1.0, modes, std::vector<Pair>(4, Pair{2.0, 0.5}));
+  for (int k = 0; k < 4; ++k)
+    memory.remember(others, 1.0, {ContactMode::stick, ContactMode::stick}, {{}, {}});
+  const std::vector<ContactMode> unknown(4, ContactMode::stick);
+  std::vector<ContactMode> recalled = unknown;
+  std::vector<Pair> forces(4);
+  EXPECT_TRUE(memory.recall(form, keys, 1.0, recalled, forces));
+  EXPECT_EQ(recalled, modes);
+  for (const Pair& l : forces)
+    EXPECT_EQ(l.n, 0.0);  // of another program
+  memory.remember(others, 1.0, {ContactMode::stick, ContactMode::stick}, {{}, {}});
+  recalled = unknown;
+  EXPECT_TRUE(memory.recall(form, keys, 1.0, recalled, forces));
+  EXPECT_EQ(recalled, unknown);  // too long ago
 }
 
 }  // namespace
