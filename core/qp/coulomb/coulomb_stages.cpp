@@ -73,13 +73,19 @@ bool CoulombStages::newton(const FrictionProgram& friction,
 }
 
 bool CoulombStages::newton_softly(const FrictionProgram& friction, CoulombResult& result) {
-  const ModeNewtonOutcome outcome =
-      mode_newton_.run(form_, modes, point,
-                       {.delta = soft_delta,
-                        .least_delta = usual_delta,
-                        .most_factorisations = settling_factorisations});
+  return harden(friction, soft_delta, CoulombStage::newton, result);
+}
+
+/// Newton's method from the point and its modes, with compliance that shrinks from `delta` on.
+bool CoulombStages::harden(const FrictionProgram& friction,
+                           double delta,
+                           CoulombStage stage,
+                           CoulombResult& result) {
+  const ModeNewtonOutcome outcome = mode_newton_.run(
+      form_, modes, point,
+      {.delta = delta, .least_delta = usual_delta, .most_factorisations = settling_factorisations});
   result.factorisations += outcome.factorisations;
-  return judge_point(friction, CoulombStage::newton, result);
+  return judge_point(friction, stage, result);
 }
 
 void CoulombStages::take(const std::vector<double>& multiplier) {
@@ -190,13 +196,7 @@ bool CoulombStages::settle(const FrictionProgram& friction,
                            CoulombResult& result) {
   const std::vector<ContactMode> kept_modes = modes;
   const ContactPoint kept_point = point;
-  const ModeNewtonOutcome outcome =
-      mode_newton_.run(form_, modes, point,
-                       {.delta = large_delta,
-                        .least_delta = usual_delta,
-                        .most_factorisations = settling_factorisations});
-  result.factorisations += outcome.factorisations;
-  if (judge_point(friction, stage, result)) return true;
+  if (harden(friction, large_delta, stage, result)) return true;
   modes = kept_modes;
   point = kept_point;
   if (follow_near(friction, stage, result)) return true;

@@ -56,6 +56,10 @@ class CoulombStages {
 
  private:
   [[nodiscard]] bool rows_hold() const;
+  bool harden(const FrictionProgram& friction,
+              double delta,
+              CoulombStage stage,
+              CoulombResult& result);
   bool settle(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool follow_near(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool accept(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
