@@ -37,6 +37,13 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
   }
 }
 
+/// What a step took beyond its losses, and velocities cannot take back, is of what landed in it, if anything did.
+void lose_in_landing(double energy, std::vector<StepLoss>& losses) {
+  const auto of_landing = [](const StepLoss& loss) { return !loss.friction; };
+  const auto last = std::find_if(losses.rbegin(), losses.rend(), of_landing);
+  if (last != losses.rend()) last->energy += energy;
+}
+
 int a_cube_of(const System& system, const Contact& c) {
   return system.is_cube(c.on) ? c.on : c.from;
 }
@@ -231,6 +238,7 @@ Rise settle_energy(
     const double missing =
         scale_to_energy(system, part.cubes, kept(part), goal, most_given_back, end);
     const double kept_back = std::clamp(-missing, 0.0, lost);
+    if (missing > 0.0) lose_in_landing(missing, part.losses);
     rise.unpaid += std::max(0.0, -missing - kept_back);
     for (StepLoss& loss : part.losses) {
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
