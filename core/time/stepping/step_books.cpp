@@ -1,6 +1,7 @@
 #include "core/time/stepping/step_books.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/constraints/islands.h"
 #include "core/dynamics/momentum.h"
@@ -121,19 +122,42 @@ double struck_at(const System& system, const Stride& stride, const Blow& blow) {
   return std::clamp(blow.start.gap / (speed * fall), 0.0, 1.0);
 }
 
+/// When in a step a contact acts, and what it takes is lost, in shares of the step.
+struct Timing {
+  double begin = 0.0;
+  double end = 1.0;
+  double loss = 1.0;
+};
+
+Timing timing_of(const System& system, const Stride& stride, const Blow& blow, const State& end) {
+  if (closing_speed(system, stride, blow.start) > impact_steps) {
+    const double share = struck_at(system, stride, blow);
+    return {share, share, share};
+  }
+  if (lasts(system, stride, blow)) return {};
+  // It lands: s^2 / 2 + c s = gap, in units of g h and g h^2.
+  const double c = closing_speed(system, stride, blow.start);
+  const double gap = std::max(0.0, blow.start.gap / (stride.scales.gravity * stride.h * stride.h));
+  const double share = std::clamp(std::sqrt(c * c + 2.0 * gap) - c, 0.0, 1.0);
+  const double opening = relative_velocity(system, end, blow.end).dot(blow.end.normal)
+                         / (stride.scales.gravity * stride.h);
+  if (opening > opening_steps) return {share, share, share};
+  return {share, 1.0, 1.0};
+}
+
 StepImpulse impulse_of(const System& system,
                        const Stride& stride,
                        const Blow& blow,
                        const State& end,
-                       double from,
-                       double to) {
+                       const Timing& timing) {
   const auto turn = [&](int body) {
     if (!system.is_cube(body)) return 0.0;
     return det(blow.start.point - stride.start[body].position, blow.first)
            + det(blow.end.point - end[body].position, blow.second);
   };
   const Contact& c = blow.end;
-  return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from), from, to};
+  return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from),
+          timing.begin, timing.end};
 }
 
 /// Where something is struck rods pass the blow on, and lose of it what their turning in the step takes; where they jam
@@ -184,16 +208,16 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     if (!blow.acts()) continue;
     const bool struck = closing_speed(system, stride, blow.start) > impact_steps;
     const bool stays = lasts(system, stride, blow);
-    const double share = struck_at(system, stride, blow);
-    record.impulses.push_back(impulse_of(system, stride, blow, end, struck ? share : 0.0, share));
+    const Timing timing = timing_of(system, stride, blow, end);
+    record.impulses.push_back(impulse_of(system, stride, blow, end, timing));
     const int k = component[a_cube_of(system, blow.end)];
     const Work first = first_work(system, stride, blow);
     const Work second = second_work(system, stride, blow, end);
     const double loss = -first.normal - second.normal;
     balances[k].friction -= first.side + second.side;
     (stays ? balances[k].lasting : balances[k].closing) += loss;
-    if (!stays && loss > 0.0) record.components[k].losses.push_back({share, loss, false});
-    if (struck) balances[k].last_struck = std::max(balances[k].last_struck, share);
+    if (!stays && loss > 0.0) record.components[k].losses.push_back({timing.loss, loss, false});
+    if (struck) balances[k].last_struck = std::max(balances[k].last_struck, timing.loss);
   }
   add_rods(system, stride, end, component, balances);
   for (std::size_t k = 0; k < balances.size(); ++k) {
