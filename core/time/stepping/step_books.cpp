@@ -32,7 +32,7 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
   const double booked = sum_of(losses);
   if (total > booked) {
     losses.push_back({struck ? sums.last_struck : 1.0, total - booked, false});
-  } else {
+  } else if (booked > 0.0) {
     for (StepLoss& loss : losses)
       loss.energy *= total / booked;
   }
@@ -145,6 +145,12 @@ Timing timing_of(const System& system, const Stride& stride, const Blow& blow, c
   return {share, 1.0, 1.0};
 }
 
+/// Whether the second impulse is a blow: where corners turn fast a place that was nearest to free flight may lead into it.
+bool strikes_at_end(const System& system, const Stride& stride, const Blow& blow) {
+  const double opening = relative_velocity(system, stride.before, blow.end).dot(blow.end.normal);
+  return opening < -impact_steps * stride.scales.gravity * stride.h;
+}
+
 StepImpulse impulse_of(const System& system,
                        const Stride& stride,
                        const Blow& blow,
@@ -216,7 +222,9 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     const double loss = -first.normal - second.normal;
     balances[k].friction -= first.side + second.side;
     (stays ? balances[k].lasting : balances[k].closing) += loss;
-    if (!stays && loss > 0.0) record.components[k].losses.push_back({timing.loss, loss, false});
+    std::vector<StepLoss>& losses = record.components[k].losses;
+    if (!stays && loss > 0.0) losses.push_back({timing.loss, loss, false});
+    if (stays && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 0.0, false});
     if (struck) balances[k].last_struck = std::max(balances[k].last_struck, timing.loss);
   }
   add_rods(system, stride, end, component, balances);
