@@ -32,10 +32,10 @@ struct Loss {
   double t = 0.0;         ///< s
   double energy = 0.0;    ///< J
   bool friction = false;  ///< taken by friction
-  double since = 0.0;     ///< s, of friction
+  double since = 0.0;     ///< s
   double uneven = 0.0;    ///< J, by how much more than half is taken in the first half of its time
 
-  /// What friction has taken by a time within that.
+  /// What is taken by a time within that.
   [[nodiscard]] double by(double time) const {
     const double share = (time - since) / (t - since);
     return share * (energy + 4.0 * (1.0 - share) * uneven);

@@ -152,21 +152,22 @@ const State& IslandMotion::state() {
 }
 
 const Bookkeeping& IslandMotion::book() {
+  double impact = impact_loss_;
   double friction = friction_loss_;
   double under_way = 0.0;
   for (std::size_t k = next_loss_; k < computed_.losses.size(); ++k) {
     const Loss& loss = computed_.losses[k];
-    if (!loss.friction || loss.since >= time_) continue;
-    friction += loss.by(time_);
+    if (loss.since >= time_) continue;
+    (loss.friction ? friction : impact) += loss.by(time_);
     under_way += loss.energy;
   }
   shown_.audit = computed_.audit;
-  shown_.audit.impact_loss = impact_loss_;
+  shown_.audit.impact_loss = impact;
   shown_.audit.friction_loss = friction;
   shown_.cost = computed_.cost;
   const bool stepped = policy_of(settings_).only_steps || computed_.cost.hand_overs > 0
                        || system_->rubs || system_->bounces;
-  shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact_loss_ + friction)
+  shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact + friction)
                                             + uneven_share * under_way
                                       : budget_ * (1.0 + time_ / scales_.time);
   shown_.audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;

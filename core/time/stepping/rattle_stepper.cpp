@@ -103,7 +103,8 @@ void RattleStepper::arrive(Step& step, double t) {
   settle(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
   for (const StepComponent& part : record.components) {
     for (const StepLoss& loss : part.losses)
-      step.book.losses.push_back({t + loss.share * stride_.h, loss.energy, loss.friction, t});
+      step.book.losses.push_back(
+          {t + loss.end * stride_.h, loss.energy, loss.friction, t + loss.begin * stride_.h});
   }
   std::ranges::stable_sort(step.book.losses, {}, &Loss::t);
   step.record = std::make_shared<const StepRecord>(std::move(record));
@@ -184,7 +185,7 @@ void RattleStepper::take_jam(const Island& island,
   const auto mine = std::ranges::find_if(record.components, [&](const StepComponent& part) {
     return std::ranges::binary_search(part.cubes, island.cubes.front());
   });
-  if (mine != record.components.end()) mine->losses.push_back({1.0, jam.hit.loss, false});
+  if (mine != record.components.end()) mine->losses.push_back({1.0, 1.0, jam.hit.loss});
 }
 
 /// Whether energy is farther from its true value than it may sway.

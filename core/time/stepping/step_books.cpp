@@ -31,11 +31,29 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
   const double total = std::max(0.0, sums.closing + (struck ? sums.lasting : 0.0));
   const double booked = sum_of(losses);
   if (total > booked) {
-    losses.push_back({struck ? sums.last_struck : 1.0, total - booked, false});
+    const double share = struck ? sums.last_struck : 1.0;
+    losses.push_back({share, share, total - booked});
   } else if (booked > 0.0) {
     for (StepLoss& loss : losses)
       loss.energy *= total / booked;
   }
+}
+
+/// What friction takes on balance, by the contacts that lose, each while it acts.
+void rub(double total, const std::vector<StepLoss>& frictions, std::vector<StepLoss>& losses) {
+  const double booked = sum_of(frictions);
+  for (StepLoss loss : frictions) {
+    loss.energy *= total / booked;
+    losses.push_back(loss);
+  }
+}
+
+/// Adds a loss to those of the same time.
+void add_loss(const StepLoss& loss, std::vector<StepLoss>& losses) {
+  const auto same = std::ranges::find_if(losses, [&](const StepLoss& other) {
+    return other.begin == loss.begin && other.end == loss.end;
+  });
+  same == losses.end() ? losses.push_back(loss) : void(same->energy += loss.energy);
 }
 
 /// What a step took beyond its losses, and velocities cannot take back, is of what landed in it, if anything did.
@@ -122,17 +140,16 @@ double struck_at(const System& system, const Stride& stride, const Blow& blow) {
   return std::clamp(blow.start.gap / (speed * fall), 0.0, 1.0);
 }
 
-/// When in a step a contact acts, and what it takes is lost, in shares of the step.
+/// When in a step a contact acts, in shares of the step.
 struct Timing {
   double begin = 0.0;
   double end = 1.0;
-  double loss = 1.0;
 };
 
 Timing timing_of(const System& system, const Stride& stride, const Blow& blow, const State& end) {
   if (closing_speed(system, stride, blow.start) > impact_steps) {
     const double share = struck_at(system, stride, blow);
-    return {share, share, share};
+    return {share, share};
   }
   if (lasts(system, stride, blow)) return {};
   // It lands: s^2 / 2 + c s = gap, in units of g h and g h^2.
@@ -141,8 +158,7 @@ Timing timing_of(const System& system, const Stride& stride, const Blow& blow, c
   const double share = std::clamp(std::sqrt(c * c + 2.0 * gap) - c, 0.0, 1.0);
   const double opening = relative_velocity(system, end, blow.end).dot(blow.end.normal)
                          / (stride.scales.gravity * stride.h);
-  if (opening > opening_steps) return {share, share, share};
-  return {share, 1.0, 1.0};
+  return {share, opening > opening_steps ? share : 1.0};
 }
 
 /// Whether the second impulse is a blow: where corners turn fast a place that was nearest to free flight may lead into it.
@@ -210,6 +226,7 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
   StepRecord record{{}, components_of(system, stride)};
   const std::vector<int> component = component_of(record.components, stride.start.size());
   std::vector<Balance> balances(record.components.size());
+  std::vector<std::vector<StepLoss>> frictions(record.components.size());
   for (const auto& [id, blow] : stride.blows) {
     if (!blow.acts()) continue;
     const bool struck = closing_speed(system, stride, blow.start) > impact_steps;
@@ -220,12 +237,14 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     const Work first = first_work(system, stride, blow);
     const Work second = second_work(system, stride, blow, end);
     const double loss = -first.normal - second.normal;
-    balances[k].friction -= first.side + second.side;
+    const double rubbed = -first.side - second.side;
+    balances[k].friction += rubbed;
+    if (rubbed > 0.0) add_loss({timing.begin, timing.end, rubbed, true}, frictions[k]);
     (stays ? balances[k].lasting : balances[k].closing) += loss;
     std::vector<StepLoss>& losses = record.components[k].losses;
-    if (!stays && loss > 0.0) losses.push_back({timing.loss, loss, false});
-    if (stays && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 0.0, false});
-    if (struck) balances[k].last_struck = std::max(balances[k].last_struck, timing.loss);
+    if (!stays && loss > 0.0) losses.push_back({timing.begin, timing.end, loss});
+    if (stays && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 1.0, 0.0});
+    if (struck) balances[k].last_struck = std::max(balances[k].last_struck, timing.end);
   }
   add_rods(system, stride, end, component, balances);
   for (std::size_t k = 0; k < balances.size(); ++k) {
@@ -235,8 +254,7 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
     const bool of_blows = system.bounces && !system.rubs;
     balances[k].closing += of_blows ? balances[k].friction : std::min(balances[k].friction, 0.0);
     balance(balances[k], losses);
-    if (system.rubs && balances[k].friction > 0.0)
-      losses.push_back({1.0, balances[k].friction, true});
+    if (system.rubs && balances[k].friction > 0.0) rub(balances[k].friction, frictions[k], losses);
   }
   return record;
 }

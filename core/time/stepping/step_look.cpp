@@ -9,41 +9,31 @@
 namespace wuerfel {
 namespace {
 
-/// Place of a cube at `share` of a step of `h` s. What is struck, so that its velocity changes by
-/// more than `rough` (m/s), flies on until it is: the instant follows from the way it has come.
-BodyState way_between(const BodyState& from,
-                      const BodyState& to,
-                      double h,
-                      double share,
-                      double radius,
-                      double rough) {
-  const Vec2 change = to.velocity - from.velocity;
-  const double turn = radius * (to.spin - from.spin);
-  const double square = change.squaredNorm() + turn * turn;
-  const Vec2 way = to.position - from.position;
-  BodyState state = from;
-  if (square <= rough * rough) {
-    // The cubic that has both places and velocities.
-    const double s = share;
-    const double to_end = s * s * (3.0 - 2.0 * s);
-    const double by_first = s * (1.0 - s) * (1.0 - s) * h;
-    const double by_last = s * s * (1.0 - s) * h;
-    state.position += to_end * way + by_first * from.velocity - by_last * to.velocity;
-    state.angle += to_end * (to.angle - from.angle) + by_first * from.spin - by_last * to.spin;
-    return state;
-  }
-  const double flown =
-      change.dot(way - h * to.velocity) + radius * turn * (to.angle - from.angle - h * to.spin);
-  const double struck = std::clamp(-flown / (h * square), 0.0, 1.0);
-  const double before = h * std::min(share, struck);
-  const double after = h * std::max(share - struck, 0.0);
-  // What these two ways miss of the whole one is made up for on the way.
-  const Vec2 missed = way - h * (struck * from.velocity + (1.0 - struck) * to.velocity);
-  const double missed_turn =
-      to.angle - from.angle - h * (struck * from.spin + (1.0 - struck) * to.spin);
-  state.position += before * from.velocity + after * to.velocity + share * missed;
-  state.angle += before * from.spin + after * to.spin + share * missed_turn;
-  return state;
+/// How much of an impulse has acted by a share of the step, and the integral of that.
+struct Part {
+  double done = 0.0;
+  double sum = 0.0;
+};
+
+Part part_of(const StepImpulse& p, double share) {
+  if (share < p.begin) return {};
+  if (share >= p.end) return {1.0, share - 0.5 * (p.begin + p.end)};
+  const double since = share - p.begin;
+  const double done = since / (p.end - p.begin);
+  return {done, 0.5 * done * since};
+}
+
+/// Onto the cubic that has both places and velocities.
+void place_smoothly(
+    const BodyState& from, const BodyState& to, double h, double share, BodyState& state) {
+  const double s = share;
+  const double to_end = s * s * (3.0 - 2.0 * s);
+  const double by_first = s * (1.0 - s) * (1.0 - s) * h;
+  const double by_last = s * s * (1.0 - s) * h;
+  state.position = from.position + to_end * (to.position - from.position)
+                   + by_first * from.velocity - by_last * to.velocity;
+  state.angle =
+      from.angle + to_end * (to.angle - from.angle) + by_first * from.spin - by_last * to.spin;
 }
 
 /// Velocities of looks are scaled up by no more than this factor: between the blows of a step in which one cube strikes
@@ -62,47 +52,52 @@ MotionSettings without_memory(MotionSettings settings) {
 StepLook::StepLook(const System& system, const MotionSettings& settings)
     : system_(&system), work_(system, without_memory(settings), step_tolerances), removal_(work_) {}
 
-State StepLook::between(const State& from, const State& to, double h, double share) const {
-  const double rough = rough_steps * scales_of(*system_, from).gravity * h;
+/// From the start by gravity and the impulses up to a share of the step.
+State StepLook::fly(const State& from, double h, double share, const StepRecord& record) const {
   State state = from;
-  for (std::size_t i = 0; i < state.size(); ++i)
-    state[i] = way_between(from[i], to[i], h, share, system_->bodies[i].radius(), rough);
+  const double t = share * h;
+  for (BodyState& s : state) {
+    s.position += t * s.velocity + 0.5 * t * t * system_->gravity;
+    s.angle += t * s.spin;
+    s.velocity += t * system_->gravity;
+  }
+  const auto push = [&](int cube, const Vec2& linear, double turn, const Part& part) {
+    if (!system_->is_cube(cube)) return;
+    const Body& body = system_->body(cube);
+    BodyState& s = state[cube];
+    s.velocity += part.done / body.mass * linear;
+    s.position += h * part.sum / body.mass * linear;
+    s.spin += part.done / body.inertia * turn;
+    s.angle += h * part.sum / body.inertia * turn;
+  };
+  for (const StepImpulse& p : record.impulses) {
+    const Part part = part_of(p, share);
+    push(p.on, p.linear, p.turn_on, part);
+    push(p.from, -p.linear, p.turn_from, part);
+  }
   return state;
 }
 
-/// Velocities of the start, changed by gravity and by the impulses up to then. What is still missing at the end comes
-/// evenly.
-void StepLook::set_velocities(const State& from,
-                              const State& to,
-                              double h,
-                              double share,
-                              const StepRecord& record,
-                              State& state) const {
-  State end = from;
+/// What flight and impulses miss of the end comes evenly; what is not struck goes smoothly.
+State StepLook::between(
+    const State& from, const State& to, double h, double share, const StepRecord& record) const {
+  const double rough = rough_steps * scales_of(*system_, from).gravity * h;
+  State state = fly(from, h, share, record);
+  const State end = fly(from, h, 1.0, record);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    state[i].velocity = from[i].velocity + share * h * system_->gravity;
-    state[i].spin = from[i].spin;
-    end[i].velocity += h * system_->gravity;
+    BodyState& s = state[i];
+    s.velocity += share * (to[i].velocity - end[i].velocity);
+    s.spin += share * (to[i].spin - end[i].spin);
+    const Vec2 change = to[i].velocity - from[i].velocity;
+    const double turn = system_->bodies[i].radius() * (to[i].spin - from[i].spin);
+    if (change.squaredNorm() + turn * turn <= rough * rough) {
+      place_smoothly(from[i], to[i], h, share, s);
+    } else {
+      s.position += share * (to[i].position - end[i].position);
+      s.angle += share * (to[i].angle - end[i].angle);
+    }
   }
-  const auto add = [&](int cube, const Vec2& linear, double turn, double part, State& sum) {
-    if (!system_->is_cube(cube)) return;
-    const Body& body = system_->body(cube);
-    sum[cube].velocity += part / body.mass * linear;
-    sum[cube].spin += part / body.inertia * turn;
-  };
-  for (const StepImpulse& p : record.impulses) {
-    const double part = p.end > p.begin
-                            ? std::clamp((share - p.begin) / (p.end - p.begin), 0.0, 1.0)
-                            : (share >= p.begin ? 1.0 : 0.0);
-    add(p.on, p.linear, p.turn_on, part, state);
-    add(p.from, -p.linear, p.turn_from, part, state);
-    add(p.on, p.linear, p.turn_on, 1.0, end);
-    add(p.from, -p.linear, p.turn_from, 1.0, end);
-  }
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    state[i].velocity += share * (to[i].velocity - end[i].velocity);
-    state[i].spin += share * (to[i].spin - end[i].spin);
-  }
+  return state;
 }
 
 /// Angular momentum changes by gravity alone where nothing fixed is touched.
@@ -127,11 +122,7 @@ void StepLook::settle_energy(const StepComponent& part,
   double all = 0.0;
   for (const StepLoss& loss : part.losses) {
     all += loss.energy;
-    if (loss.friction) {
-      goal -= share * loss.energy;
-    } else if (loss.share <= share) {
-      goal -= loss.energy;
-    }
+    goal -= loss.by(share);
   }
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
   const RigidMotion kept =
@@ -141,8 +132,7 @@ void StepLook::settle_energy(const StepComponent& part,
 
 State StepLook::at(
     const State& from, const State& to, double h, double share, const StepRecord& record) {
-  State state = between(from, to, h, share);
-  set_velocities(from, to, h, share, record, state);
+  State state = between(from, to, h, share, record);
   for (const StepComponent& part : record.components)
     turn_on(part, from, share * h, state);
   const State uncleaned = state;

@@ -16,13 +16,12 @@ class StepLook {
       const State& from, const State& to, double h, double share, const StepRecord& record);
 
  private:
-  State between(const State& from, const State& to, double h, double share) const;
-  void set_velocities(const State& from,
-                      const State& to,
-                      double h,
-                      double share,
-                      const StepRecord& record,
-                      State& state) const;
+  [[nodiscard]] State fly(const State& from,
+                          double h,
+                          double share,
+                          const StepRecord& record) const;
+  [[nodiscard]] State between(
+      const State& from, const State& to, double h, double share, const StepRecord& record) const;
   void turn_on(const StepComponent& part, const State& from, double t, State& state) const;
   void settle_energy(const StepComponent& part,
                      const State& from,

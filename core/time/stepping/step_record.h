@@ -19,11 +19,17 @@ struct StepImpulse {
   double end = 1.0;
 };
 
-/// Energy taken at a share of a step.
+/// Energy taken in the course of the shares begin .. end of a step, at once where these are equal.
 struct StepLoss {
-  double share = 1.0;
+  double begin = 1.0;
+  double end = 1.0;
   double energy = 0.0;  ///< J
   bool friction = false;
+  /// What of it is taken by a share of the step.
+  [[nodiscard]] double by(double share) const {
+    if (share >= end) return energy;
+    return share > begin ? (share - begin) / (end - begin) * energy : 0.0;
+  }
 };
 
 /// Cubes that pushed one another, or something fixed.
