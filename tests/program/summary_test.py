@@ -244,6 +244,14 @@ class Books(ProgramTest):
                          "pile": [{"count": count, "size": 0.7, "seed": seed, "region": [-1.9, 0.1, 1.9, 12]}]}
                 self.expect(0, "run", self.scene(scene), "--until", "2", "--fps", "60", "--states", "s.csv", "--quiet")
 
+    def test_they_close_at_every_look_where_a_tower_bounces(self):
+        # Looks within steps in which planks rock from corner to corner, slower than an impact.
+        planks = ((1, 1, 0, 0.5), (1.5, 0.5, 0, 1.25), (0.5, 0.5, 0.3088888984323831, 1.75),
+                  (1.5, 0.5, -0.15291487897597011, 2.25), (1, 1, -0.15291487897597011, 3.0))
+        cubes = [{"name": f"c{k}", "size": [w, h], "position": [x, y]} for k, (w, h, x, y) in enumerate(planks)]
+        scene = {"version": 1, "material": {"restitution": 0.8}, "plane": [{"name": "floor"}], "cube": cubes}
+        self.expect(0, "run", self.scene(scene), "--until", "2", "--fps", "60", "--states", "s.csv", "--quiet")
+
     def test_they_close_where_light_cubes_carry_heavy_ones(self):
         # An event a moment behind a step of 1e-16 s: no polynomial may be followed that far.
         heavy, light = 3794.7689254228235, 0.0002635206568970671

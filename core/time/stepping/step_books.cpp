@@ -178,7 +178,7 @@ StepImpulse impulse_of(const System& system,
            + det(blow.end.point - end[body].position, blow.second);
   };
   const Contact& c = blow.end;
-  return {c.on, c.from, blow.first + blow.second, turn(c.on), -turn(c.from),
+  return {c.on,         c.from,    blow.first + blow.second, turn(c.on), -turn(c.from),
           timing.begin, timing.end};
 }
 

@@ -30,8 +30,8 @@ void place_smoothly(
   const double to_end = s * s * (3.0 - 2.0 * s);
   const double by_first = s * (1.0 - s) * (1.0 - s) * h;
   const double by_last = s * s * (1.0 - s) * h;
-  state.position = from.position + to_end * (to.position - from.position)
-                   + by_first * from.velocity - by_last * to.velocity;
+  state.position = from.position + to_end * (to.position - from.position) + by_first * from.velocity
+                   - by_last * to.velocity;
   state.angle =
       from.angle + to_end * (to.angle - from.angle) + by_first * from.spin - by_last * to.spin;
 }

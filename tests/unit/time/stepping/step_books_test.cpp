@@ -55,6 +55,38 @@ TEST(StepBooks, WhatClosesLosesWhatItsImpulsesTake) {
   EXPECT_NEAR(record.impulses[0].turn_on + record.impulses[1].turn_on, 0.0, 1e-16);
 }
 
+/// Slower than an impact: 0.1 g h at 0.04 g h^2 from the ground, 0.2 of the step away in free fall.
+StepRecord record_of_slow_landing(double opening) {
+  Landing landing;
+  Stride& stride = landing.stride;
+  const double gh = stride.scales.gravity * stride.h;
+  stride.start[0].velocity = {0.0, -0.1 * gh};
+  landing.end[0].velocity = {0.0, opening * gh};
+  for (auto& [id, blow] : stride.blows)
+    blow.start.gap = 0.04 * gh * stride.h;
+  return record_of(landing.system(), stride, landing.end);
+}
+
+TEST(StepBooks, WhatLandsSlowlyActsAndLosesFromThenOn) {
+  const StepRecord record = record_of_slow_landing(0.0);
+  for (const StepImpulse& p : record.impulses) {
+    EXPECT_NEAR(p.begin, 0.2, 1e-14);
+    EXPECT_EQ(p.end, 1.0);
+  }
+  ASSERT_FALSE(record.components[0].losses.empty());
+  const StepLoss& loss = record.components[0].losses.front();
+  EXPECT_NEAR(loss.by(0.6), 0.5 * loss.energy, 1e-14);
+  EXPECT_EQ(loss.by(0.1), 0.0);
+  EXPECT_EQ(loss.by(1.0), loss.energy);
+}
+
+TEST(StepBooks, WhatBouncesActsAtOnce) {
+  for (const StepImpulse& p : record_of_slow_landing(0.1).impulses) {
+    EXPECT_NEAR(p.begin, 0.2, 1e-14);
+    EXPECT_EQ(p.end, p.begin);
+  }
+}
+
 TEST(StepBooks, ImpactsHappenWhenTheGapCloses) {
   const Landing landing;
   const std::vector<Event> events = impacts_of(landing.system(), landing.stride, 3.0);
@@ -103,6 +135,19 @@ double loss_of_opening(double speed) {
 TEST(StepBooks, WhatOpensAndLandsIsLostWhatLastsIsSway) {
   EXPECT_NEAR(loss_of_opening(0.1), 0.5, 1e-14);
   EXPECT_EQ(loss_of_opening(1e-3), 0.0);
+}
+
+TEST(StepBooks, WhatVelocitiesDoNotTakeBackIsLostByWhatLanded) {
+  Landing landing;
+  StepRecord record = record_of(landing.system(), landing.stride, landing.end);
+  std::vector<StepLoss>& losses = record.components[0].losses;
+  losses = {{0.4, 0.4, 0.1}};
+  settle_energy(landing.system(), landing.stride, false, record, landing.end);
+  ASSERT_EQ(losses.size(), 1U);
+  EXPECT_NEAR(losses[0].energy, 0.5, 1e-15);  // it stands still
+  losses = {{0.0, 1.0, 0.1, true}};
+  settle_energy(landing.system(), landing.stride, false, record, landing.end);
+  EXPECT_EQ(sum_of(losses), 0.1);  // nothing landed: a drift, which is not hidden
 }
 
 TEST(StepBooks, WhatNoMotionCanPayForIsSaid) {
