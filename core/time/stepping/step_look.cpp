@@ -9,20 +9,6 @@
 namespace wuerfel {
 namespace {
 
-/// How much of an impulse has acted by a share of the step, and the integral of that.
-struct Part {
-  double done = 0.0;
-  double sum = 0.0;
-};
-
-Part part_of(const StepImpulse& p, double share) {
-  if (share < p.begin) return {};
-  if (share >= p.end) return {1.0, share - 0.5 * (p.begin + p.end)};
-  const double since = share - p.begin;
-  const double done = since / (p.end - p.begin);
-  return {done, 0.5 * done * since};
-}
-
 /// Onto the cubic that has both places and velocities.
 void place_smoothly(
     const BodyState& from, const BodyState& to, double h, double share, BodyState& state) {
@@ -34,6 +20,42 @@ void place_smoothly(
                    - by_last * to.velocity;
   state.angle =
       from.angle + to_end * (to.angle - from.angle) + by_first * from.spin - by_last * to.spin;
+}
+
+/// A blow, by what it does to a cube.
+struct Jump {
+  double share = 0.0;
+  Vec2 velocity = Vec2::Zero();
+  double spin = 0.0;
+};
+
+/// Straight on from blow to blow. What blows miss of the change of velocity (the weight is carried afterwards) belongs to
+/// them in proportion, what that misses of the way comes evenly.
+void place_struck(const BodyState& from,
+                  const BodyState& to,
+                  double h,
+                  double share,
+                  double radius,
+                  const std::vector<Jump>& jumps,
+                  BodyState& state) {
+  Vec2 missed = to.velocity - from.velocity;
+  double missed_spin = to.spin - from.spin;
+  double all = 0.0;
+  const auto size = [&](const Jump& j) { return j.velocity.norm() + radius * std::abs(j.spin); };
+  for (const Jump& j : jumps) {
+    missed -= j.velocity;
+    missed_spin -= j.spin;
+    all += size(j);
+  }
+  Vec2 place = from.position + share * (to.position - from.position);
+  double angle = from.angle + share * (to.angle - from.angle);
+  for (const Jump& j : jumps) {
+    const double way = h * (std::max(0.0, share - j.share) - share * (1.0 - j.share));
+    place += way * (j.velocity + size(j) / all * missed);
+    angle += way * (j.spin + size(j) / all * missed_spin);
+  }
+  state.position = place;
+  state.angle = angle;
 }
 
 /// Velocities of looks are scaled up by no more than this factor: between the blows of a step in which one cube strikes
@@ -52,52 +74,68 @@ MotionSettings without_memory(MotionSettings settings) {
 StepLook::StepLook(const System& system, const MotionSettings& settings)
     : system_(&system), work_(system, without_memory(settings), step_tolerances), removal_(work_) {}
 
-/// From the start by gravity and the impulses up to a share of the step.
-State StepLook::fly(const State& from, double h, double share, const StepRecord& record) const {
-  State state = from;
-  const double t = share * h;
-  for (BodyState& s : state) {
-    s.position += t * s.velocity + 0.5 * t * t * system_->gravity;
-    s.angle += t * s.spin;
-    s.velocity += t * system_->gravity;
-  }
-  const auto push = [&](int cube, const Vec2& linear, double turn, const Part& part) {
+/// Places on the way from one state to the other.
+State StepLook::between(
+    const State& from, const State& to, double h, double share, const StepRecord& record) const {
+  std::vector<std::vector<Jump>> jumps(from.size());
+  const auto add = [&](int cube, double at, const Vec2& linear, double turn) {
     if (!system_->is_cube(cube)) return;
     const Body& body = system_->body(cube);
-    BodyState& s = state[cube];
-    s.velocity += part.done / body.mass * linear;
-    s.position += h * part.sum / body.mass * linear;
-    s.spin += part.done / body.inertia * turn;
-    s.angle += h * part.sum / body.inertia * turn;
+    jumps[cube].push_back({at, linear / body.mass, turn / body.inertia});
   };
   for (const StepImpulse& p : record.impulses) {
-    const Part part = part_of(p, share);
-    push(p.on, p.linear, p.turn_on, part);
-    push(p.from, -p.linear, p.turn_from, part);
+    if (p.begin != p.end) continue;
+    add(p.on, p.begin, p.linear, p.turn_on);
+    add(p.from, p.begin, -p.linear, p.turn_from);
+  }
+  const double rough = rough_steps * scales_of(*system_, from).gravity * h;
+  State state = from;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double radius = system_->bodies[i].radius();
+    const Vec2 change = to[i].velocity - from[i].velocity;
+    const double turn = radius * (to[i].spin - from[i].spin);
+    if (change.squaredNorm() + turn * turn <= rough * rough) {
+      place_smoothly(from[i], to[i], h, share, state[i]);
+    } else {
+      place_struck(from[i], to[i], h, share, radius, jumps[i], state[i]);
+    }
   }
   return state;
 }
 
-/// What flight and impulses miss of the end comes evenly; what is not struck goes smoothly.
-State StepLook::between(
-    const State& from, const State& to, double h, double share, const StepRecord& record) const {
-  const double rough = rough_steps * scales_of(*system_, from).gravity * h;
-  State state = fly(from, h, share, record);
-  const State end = fly(from, h, 1.0, record);
+/// Velocities of the start, changed by gravity and by the impulses up to then. What is still missing at the end comes
+/// evenly.
+void StepLook::set_velocities(const State& from,
+                              const State& to,
+                              double h,
+                              double share,
+                              const StepRecord& record,
+                              State& state) const {
+  State end = from;
   for (std::size_t i = 0; i < state.size(); ++i) {
-    BodyState& s = state[i];
-    s.velocity += share * (to[i].velocity - end[i].velocity);
-    s.spin += share * (to[i].spin - end[i].spin);
-    const Vec2 change = to[i].velocity - from[i].velocity;
-    const double turn = system_->bodies[i].radius() * (to[i].spin - from[i].spin);
-    if (change.squaredNorm() + turn * turn <= rough * rough) {
-      place_smoothly(from[i], to[i], h, share, s);
-    } else {
-      s.position += share * (to[i].position - end[i].position);
-      s.angle += share * (to[i].angle - end[i].angle);
-    }
+    state[i].velocity = from[i].velocity + share * h * system_->gravity;
+    state[i].spin = from[i].spin;
+    end[i].velocity += h * system_->gravity;
   }
-  return state;
+  const auto add = [&](int cube, const Vec2& linear, double turn, double part, State& sum) {
+    if (!system_->is_cube(cube)) return;
+    const Body& body = system_->body(cube);
+    sum[cube].velocity += part / body.mass * linear;
+    sum[cube].spin += part / body.inertia * turn;
+  };
+  for (const StepImpulse& p : record.impulses) {
+    const double part = p.end > p.begin
+                            ? std::clamp((share - p.begin) / (p.end - p.begin), 0.0, 1.0)
+                            : (share >= p.begin ? 1.0 : 0.0);
+    add(p.on, p.linear, p.turn_on, part, state);
+    add(p.from, -p.linear, p.turn_from, part, state);
+    add(p.on, p.linear, p.turn_on, 1.0, end);
+    add(p.from, -p.linear, p.turn_from, 1.0, end);
+  }
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state[i].velocity += share * (to[i].velocity - end[i].velocity);
+    state[i].spin += share * (to[i].spin - end[i].spin);
+  }
 }
 
 /// Angular momentum changes by gravity alone where nothing fixed is touched.
@@ -133,6 +171,7 @@ void StepLook::settle_energy(const StepComponent& part,
 State StepLook::at(
     const State& from, const State& to, double h, double share, const StepRecord& record) {
   State state = between(from, to, h, share, record);
+  set_velocities(from, to, h, share, record, state);
   for (const StepComponent& part : record.components)
     turn_on(part, from, share * h, state);
   const State uncleaned = state;

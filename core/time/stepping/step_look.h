@@ -16,12 +16,14 @@ class StepLook {
       const State& from, const State& to, double h, double share, const StepRecord& record);
 
  private:
-  [[nodiscard]] State fly(const State& from,
-                          double h,
-                          double share,
-                          const StepRecord& record) const;
   [[nodiscard]] State between(
       const State& from, const State& to, double h, double share, const StepRecord& record) const;
+  void set_velocities(const State& from,
+                      const State& to,
+                      double h,
+                      double share,
+                      const StepRecord& record,
+                      State& state) const;
   void turn_on(const StepComponent& part, const State& from, double t, State& state) const;
   void settle_energy(const StepComponent& part,
                      const State& from,
