@@ -167,9 +167,9 @@ const Bookkeeping& IslandMotion::book() {
   shown_.cost = computed_.cost;
   const bool stepped = policy_of(settings_).only_steps || computed_.cost.hand_overs > 0
                        || system_->rubs || system_->bounces;
-  shown_.audit.drift_budget = stepped ? stepped_drift_share * (in_motion_ + impact + friction)
-                                            + uneven_share * under_way
-                                      : budget_ * (1.0 + time_ / scales_.time);
+  shown_.audit.drift_budget =
+      stepped ? stepped_drift_share * (in_motion_ + impact + friction) + uneven_share * under_way
+              : budget_ * (1.0 + time_ / scales_.time);
   shown_.audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
   // What rods to fixed places take or give is not booked: no promise.
   if (std::ranges::any_of(system_->rods, is_held)) shown_.audit.momentum_budget = forever;
