@@ -84,6 +84,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
   note_letters(scene, asked.still.picture.layers, notes);
   note_crowd(scene, asked.still.picture.layers, notes);
+  note_idle_colors(options, color_by(asked.still.picture, scene.cubes.size()), notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
   still_options.picture.layers = drawn_layers(asked.still.picture, options.given("--layers"));

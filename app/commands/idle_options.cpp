@@ -66,11 +66,17 @@ void note_what_is_left_out(const Options& options,
 }
 
 void note_crowd(const Scene& scene, Layers layers, Notes& notes) {
-  if (layers.has(Layer::whiskers) && std::ssize(scene.cubes) >= crowd)
+  if (layers.has(Layer::whiskers) && std::ssize(scene.cubes) >= crowd) {
     notes.add(
         fmt::format("from {} cubes on the layer whiskers shows nothing: it is not asked what "
                     "else forces could be",
                     crowd));
+  }
+}
+
+void note_idle_colors(const Options& options, ColorBy by, Notes& notes) {
+  if (by != ColorBy::load && by != ColorBy::speed)
+    note_idle(options, {"--color-top"}, "without --color load or speed", notes);
 }
 
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes) {

@@ -29,6 +29,9 @@ void note_idle_solver(const Options& options, const Scene& scene, Notes& notes);
 /// Layers that have nothing to show of so many cubes.
 void note_crowd(const Scene& scene, Layers layers, Notes& notes);
 
+/// The end of a scale of colours where colours tell nothing that has one.
+void note_idle_colors(const Options& options, ColorBy by, Notes& notes);
+
 /// Picture options of layers that are not drawn.
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);
 

@@ -29,7 +29,8 @@ void note_idle_options(const RunOptions& asked, const Options& options, Notes& n
   if (asked.outputs.empty()) {
     note_idle(options,
               {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
-               "--velocity-scale", "--rod-scale", "--encoder"},
+               "--velocity-scale", "--acceleration-scale", "--rod-scale", "--color", "--color-top",
+               "--explode", "--legend", "--average", "--encoder", "--hold"},
               "without -o", notes);
     if (!asked.tables())
       note_idle(options, {"--fps", "--speed"}, "without -o, --states or --forces", notes);
@@ -181,14 +182,18 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   return {code, form.json ? json_text(summary, form) : ""};
 }
 
+void require_no_files(const RunOptions& asked) {
+  if (!asked.files().empty())
+    throw UsageError("files are written for one scene at a time; for several there is --json");
+}
+
 Answer answer(const RunOptions& asked,
               const Options& options,
               const Stopwatch& since_start,
               const SceneText& text,
               AnswerForm form,
               Notes& notes) {
-  if (form.one_line && !asked.files().empty())
-    throw UsageError("files are written for one scene at a time; for several there is --json");
+  if (form.one_line) require_no_files(asked);
   note_idle_options(asked, options, notes);
   const Scene scene = parse(text, asked.overrides);
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
@@ -196,8 +201,11 @@ Answer answer(const RunOptions& asked,
     throw UsageError("--size: the height of films and frames has to be told, as 1280x720");
   RunOptions suited = with_rate_of_gif(asked, options, notes);
   suited.picture.layers = drawn_layers(asked.picture, options.given("--layers"));
-  if (!asked.outputs.empty()) note_letters(scene, asked.picture.layers, notes);
-  if (!asked.outputs.empty()) note_crowd(scene, asked.picture.layers, notes);
+  if (!asked.outputs.empty()) {
+    note_letters(scene, asked.picture.layers, notes);
+    note_crowd(scene, asked.picture.layers, notes);
+    note_idle_colors(options, color_by(asked.picture, scene.cubes.size()), notes);
+  }
   return run({suited, scene, make_plan(suited, scene), since_start}, form, notes);
 }
 
@@ -252,6 +260,7 @@ Action declare_run(Options& options) {
   add_motion_options(options, asked->motion);
   return [asked, &options](const Stopwatch& since_start) {
     require_distinct_outputs(*asked);
+    if (asked->scenes.size() > 1) require_no_files(*asked);
     return for_each_scene({asked->scenes, asked->json, asked->quiet, asked->threads},
                           [&](const SceneText& text, AnswerForm form, Notes& notes) {
                             return answer(*asked, options, since_start, text, form, notes);

@@ -87,7 +87,9 @@ std::string program_text(const QuadraticProgram& program) {
 
 QuadraticProgram parse_program(std::string_view text, const std::string& place) try {
   return program_of(Json::parse(text));
-} catch (const nlohmann::json::exception& error) {
+} catch (const Json::parse_error& error) {
+  throw UsageError(fmt::format("{}: no program: no JSON from byte {} on", place, error.byte));
+} catch (const Json::exception& error) {
   throw UsageError(fmt::format("{}: no program: {}", place, error.what()));
 } catch (const UsageError& error) {
   throw UsageError(fmt::format("{}: no program: {}", place, error.what()));

@@ -5,8 +5,8 @@ layout(location = 0) in vec2 tail;
 layout(location = 1) in vec2 tip;
 layout(location = 2) in vec4 shape;  // half width, head length, head half width, grow
 layout(location = 3) in vec4 stroke;
+layout(location = 4) in float part;  // of the arrow that the quad is around: 0 all of it, 1 the shaft, 2 the head
 uniform vec2 picture;
-uniform bool whole;  // one quad
 flat out vec2 f_tail;
 flat out vec2 f_axis;
 flat out vec3 f_shaft;  // end of the shaft, its half width, both with half a pixel of coverage; half a pixel and growth
@@ -25,8 +25,8 @@ void main() {
   float grow = shape.w;
   // The grown head's corners run ahead of the head by up to 3.2 times the growth.
   float margin = 3.5 * grow + 1.0;
-  // Of two quads the first is around the shaft.
-  bool in_head = whole || (gl_VertexID & 4) != 0;
+  bool whole = part < 0.5;
+  bool in_head = whole || part > 1.5;
   float from = whole ? -grow - 1.0 : in_head ? base - margin : -grow - 1.0;
   float to = in_head ? reach + margin : base - margin;
   float side = in_head ? max(shape.x, wing) + margin : shape.x + grow + 1.0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include <Eigen/SVD>
 
@@ -102,10 +103,10 @@ void add_bend_row(const System& system,
 /// An impact of an island round by round.
 class Rounds {
  public:
-  Rounds(const System& system, const State& state, const Island& island)
+  Rounds(const System& system, State state, const Island& island)
       : system_(&system),
         island_(&island),
-        now_(state),
+        now_(std::move(state)),
         builder_(system, Formulation::rigid),
         solver_(make_qp_solver(QpMethod::automatic)) {
     sum_.status = QpStatus::optimal;

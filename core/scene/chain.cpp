@@ -91,7 +91,7 @@ class Chain {
 
   /// A place that does not wait for this chain or what comes later.
   [[nodiscard]] FoundPlace end(std::string_view key, const PlaceEntry& entry) const {
-    const FoundPlace found =
+    FoundPlace found =
         PlaceFinder(ground_.scene, ground_.names, ground_.source).find(entry, entry_.origin, key);
     if (!found.body) return found;
     const Group& group = ground_.groups.of(*found.body);
@@ -195,9 +195,10 @@ std::vector<ScenePoint> chain_points(const ChainEntry& chain,
                                      const std::string& name,
                                      const Material& material) {
   std::vector<ScenePoint> points;
-  for (std::int64_t i = 1; i <= chain.count; ++i)
+  for (std::int64_t i = 1; i <= chain.count; ++i) {
     points.push_back(
         {fmt::format("{}_{}", name, i), chain.mass, Vec2::Zero(), Vec2::Zero(), material});
+  }
   return points;
 }
 

@@ -27,19 +27,12 @@ struct Event {
   double impulse = 0.0;       ///< N s
 };
 
-/// Energy that an impact took at one instant, or friction evenly up to it.
+/// Energy that was taken at one instant, or in the course of some time up to it.
 struct Loss {
   double t = 0.0;         ///< s
   double energy = 0.0;    ///< J
   bool friction = false;  ///< taken by friction
   double since = 0.0;     ///< s
-  double uneven = 0.0;    ///< J, by how much more than half is taken in the first half of its time
-
-  /// What is taken by a time within that.
-  [[nodiscard]] double by(double time) const {
-    const double share = (time - since) / (t - since);
-    return share * (energy + 4.0 * (1.0 - share) * uneven);
-  }
 };
 
 /// What a run promises of itself.

@@ -5,8 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "core/dynamics/rod_rows.h"
-#include "core/geometry/union_find.h"
+#include "core/model/system_part.h"
 #include "core/time/promises.h"
 
 namespace wuerfel {
@@ -18,45 +17,6 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double shortest_window = 0.05;
 constexpr double longest_window = 8.0;
 constexpr double first_window = 0.5;
-/// Prediction of sweeps: this much of the path of free flight.
-constexpr double sweep_reserve = 1.2;
-/// What the tolerance promises of energy, per L / V: times that of all that moves or hangs.
-constexpr double drift_share = 10.0;
-/// What steps may leave unexplained of the energy that moved, or was lost.
-constexpr double stepped_drift_share = 1e-4;
-/// By how much the loss of a step that is under way may differ from an even one: what slows down to rest within it
-/// loses s (2 - s) of it up to a share s.
-constexpr double uneven_share = 0.25;
-/// Cubes within this share of their half diagonal belong together.
-constexpr double margin_share = 1e-3;
-
-/// The whole system without the cubes that are not named.
-System part_of(const System& whole, const std::vector<int>& cubes) {
-  System part;
-  part.title = whole.title;
-  part.gravity = whole.gravity;
-  part.cubes = static_cast<int>(cubes.size());
-  part.pairs = whole.pairs;
-  part.rubs = whole.rubs;
-  part.bounces = whole.bounces;
-  for (const int cube : cubes)
-    part.bodies.push_back(whole.body(cube));
-  part.bodies.insert(part.bodies.end(), whole.bodies.begin() + whole.cubes, whole.bodies.end());
-  part.points = static_cast<int>(std::ranges::count(part.bodies, BodyKind::point, &Body::kind));
-  part.strangers = whole.strangers;
-  // Rods join cubes of one part only.
-  const auto number_in_part = [&](RodEnd& end) {
-    if (end.body < 0) return true;
-    const auto at = std::ranges::lower_bound(cubes, end.body);
-    if (at == cubes.end() || *at != end.body) return false;
-    end.body = static_cast<int>(at - cubes.begin());
-    return true;
-  };
-  for (Rod rod : whole.rods)
-    if (number_in_part(rod.i) && number_in_part(rod.j)) part.rods.push_back(std::move(rod));
-  return part;
-}
-
 /// What has been added after the first `known`; what happened at one time keeps its order.
 template <typename Entry>
 void sort_by_time(std::vector<Entry>& list, std::size_t known) {
@@ -65,36 +25,17 @@ void sort_by_time(std::vector<Entry>& list, std::size_t known) {
                            &Entry::t);
 }
 
-/// How far bodies fall before something stops them, as a scale, m: L, or, where rods hold them, how far these reach.
-double free_fall(const System& system, const State& start, const Scales& scales) {
-  if (system.rods.empty()) return scales.length;
-  BoundingBox bounds{start.front().position, start.front().position};
-  const auto include = [&](const Vec2& p) {
-    bounds = {bounds.low.cwiseMin(p), bounds.high.cwiseMax(p)};
-  };
-  for (const BodyState& s : start)
-    include(s.position);
-  for (const Rod& rod : system.rods) {
-    include(held_place(rod.i, start).p);
-    include(held_place(rod.j, start).p);
-  }
-  return std::max(scales.length, (bounds.high - bounds.low).norm());
-}
-
 }  // namespace
 
 IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, const State& start)
-    : system_(&system), settings_(settings) {
+    : system_(&system), settings_(settings), meetings_(system, settings.skips.islands) {
   set_units(start);
   length_ = first_window * scales_.time;
   momentum_ = momentum_scale(system, start, scales_.speed);
   resting_.assign(start.size(), 0);
   stepping_.resize(start.size());
   // At the start bodies touch by the scene's tolerance; those that do belong together.
-  predict(start, 0.0);
-  std::vector<std::vector<int>> parts;
-  partition(parts);
-  regroup(start, parts);
+  regroup(start, meetings_.within(start, resting_, 0.0));
   commit();
   advance_to(0.0);
 }
@@ -105,6 +46,7 @@ IslandMotion::IslandMotion(const System& system,
                            const RestartPoint& point)
     : system_(&system),
       settings_(settings),
+      meetings_(system, settings.skips.islands),
       resting_(point.resting),
       stepping_(point.stepping),
       begin_(point.t),
@@ -125,10 +67,8 @@ IslandMotion::IslandMotion(const System& system,
 
 void IslandMotion::set_units(const State& start) {
   scales_ = scales_of(*system_, start);
-  in_motion_ =
-      kinetic_energy(*system_, start) + scales_.weight * free_fall(*system_, start, scales_);
-  budget_ = drift_share * settings_.tolerance * in_motion_;
-  bounds_.resize(start.size());
+  energy_start_ = energy(*system_, start);
+  drift_ = PromisedDrift(*system_, start, scales_, settings_.tolerance);
   group_of_.assign(start.size(), -1);
 }
 
@@ -138,12 +78,7 @@ void IslandMotion::advance_to(double t) {
   // What was seen when all had come to rest is what is seen later.
   if (time_ < still_since_) shown_state_.clear();
   time_ = t;
-  const auto& events = computed_.events;
-  for (; next_event_ < events.size() && events[next_event_].t <= t; ++next_event_)
-    shown_.events.push_back(events[next_event_]);
-  const auto& losses = computed_.losses;
-  for (; next_loss_ < losses.size() && losses[next_loss_].t <= t; ++next_loss_)
-    (losses[next_loss_].friction ? friction_loss_ : impact_loss_) += losses[next_loss_].energy;
+  shown_.advance_to(t, computed_);
 }
 
 const State& IslandMotion::state() {
@@ -152,29 +87,23 @@ const State& IslandMotion::state() {
 }
 
 const Bookkeeping& IslandMotion::book() {
-  double impact = impact_loss_;
-  double friction = friction_loss_;
-  double under_way = 0.0;
-  for (std::size_t k = next_loss_; k < computed_.losses.size(); ++k) {
-    const Loss& loss = computed_.losses[k];
-    if (loss.since >= time_) continue;
-    (loss.friction ? friction : impact) += loss.by(time_);
-    under_way += loss.energy;
-  }
-  shown_.audit = computed_.audit;
-  shown_.audit.impact_loss = impact;
-  shown_.audit.friction_loss = friction;
-  shown_.cost = computed_.cost;
-  const bool stepped = policy_of(settings_).only_steps || computed_.cost.hand_overs > 0
-                       || system_->rubs || system_->bounces;
-  shown_.audit.drift_budget =
-      stepped ? stepped_drift_share * (in_motion_ + impact + friction) + uneven_share * under_way
-              : budget_ * (1.0 + time_ / scales_.time);
-  shown_.audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
+  const double now = shown_.any_under_way(computed_) ? energy(*system_, state()) : energy_start_;
+  const LostEnergy lost = shown_.lost(computed_, energy_start_ - now);
+  Bookkeeping& book = shown_.book;
+  Audit& audit = book.audit;
+  audit = computed_.audit;
+  audit.impact_loss = lost.impacts;
+  audit.friction_loss = lost.friction;
+  book.cost = computed_.cost;
+  book.breaches = computed_.breaches;
+  const bool stepped = policy_of(settings_).only_steps || book.cost.hand_overs > 0 || system_->rubs
+                       || system_->bounces;
+  audit.drift_budget =
+      stepped ? drift_.of_steps(lost.impacts + lost.friction) : drift_.of_events(time_);
+  audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
   // What rods to fixed places take or give is not booked: no promise.
-  if (std::ranges::any_of(system_->rods, is_held)) shown_.audit.momentum_budget = forever;
-  shown_.breaches = computed_.breaches;
-  return shown_;
+  if (std::ranges::any_of(system_->rods, is_held)) audit.momentum_budget = forever;
+  return book;
 }
 
 State IslandMotion::state_at(double t) {
@@ -202,47 +131,6 @@ std::vector<Contact> IslandMotion::loaded() {
     }
   }
   return contacts;
-}
-
-/// Bounds of what the cubes may sweep within `length` s.
-void IslandMotion::predict(const State& state, double length) {
-  const Vec2 g = system_->gravity;
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Body& body = system_->bodies[i];
-    const BodyState& s = state[i];
-    if (length == 0.0 || resting_[i] != 0) {
-      const Box box = make_box(s.position, s.angle, body.size);
-      bounds_[i] = posed_bounds(box, margin_share * box.smaller_side());
-      continue;
-    }
-    const double radius = (0.5 + margin_share) * body.size.norm();
-    const Vec2 free = length * s.velocity + 0.5 * length * length * g;
-    // Where contacts act a cube may go anywhere within what its speed and gravity allow.
-    const double reach =
-        (sweep_reserve - 1.0) * (length * s.velocity.norm() + 0.5 * length * length * g.norm());
-    bounds_[i] = predicted_bounds(s.position, s.position + free, Vec2::Constant(radius + reach));
-  }
-}
-
-/// Groups of cubes whose bounds overlap, in the order of their first cube.
-void IslandMotion::partition(std::vector<std::vector<int>>& parts) {
-  UnionFind sets(static_cast<int>(bounds_.size()));
-  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_))
-    sets.unite(pair.first, pair.second);
-  for (const Rod& rod : system_->rods)
-    if (!is_held(rod)) sets.unite(rod.i.body, rod.j.body);
-  for (int i = 1; !settings_.skips.islands && i < static_cast<int>(bounds_.size()); ++i)
-    sets.unite(0, i);
-  parts.clear();
-  std::vector<int> number(bounds_.size(), -1);
-  for (int i = 0; i < static_cast<int>(bounds_.size()); ++i) {
-    int& k = number[sets.root(i)];
-    if (k < 0) {
-      k = static_cast<int>(parts.size());
-      parts.emplace_back();
-    }
-    parts[k].push_back(i);
-  }
 }
 
 void IslandMotion::next_window() {
@@ -292,22 +180,16 @@ void IslandMotion::restart(const State& state) {
 void IslandMotion::begin_window(const State& state) {
   // The longest window in which nobody meets anybody who is not met in the shortest one either.
   const double shortest = shortest_window * scales_.time;
-  std::vector<std::vector<int>> least;
-  std::vector<std::vector<int>> parts;
-  predict(state, shortest);
-  partition(least);
+  const Parts least = meetings_.within(state, resting_, shortest);
   double length = std::min(2.0 * length_, longest_window * scales_.time);
-  for (; length > shortest; length *= 0.5) {
-    predict(state, length);
-    partition(parts);
-    if (parts == least) break;
-  }
+  while (length > shortest && meetings_.within(state, resting_, length) != least)
+    length *= 0.5;
   length_ = std::max(length, shortest);
   regroup(state, least);
 }
 
 /// Groups that stay the same go on; others begin anew from `state`.
-void IslandMotion::regroup(const State& state, const std::vector<std::vector<int>>& parts) {
+void IslandMotion::regroup(const State& state, const Parts& parts) {
   std::map<int, std::size_t> by_first;
   for (std::size_t k = 0; k < groups_.size(); ++k)
     by_first[groups_[k].cubes.front()] = k;
@@ -375,28 +257,16 @@ void IslandMotion::move_groups() {
 /// Joins groups whose sweeps overlap and puts them back to the start of the window; false where
 /// there are none.
 bool IslandMotion::join_those_that_met(const State& state) {
-  for (std::size_t i = 0; i < bounds_.size(); ++i)
-    bounds_[i] = {state[i].position, state[i].position};
+  std::vector<BoundingBox> swept(group_of_.size());
   std::vector<BoundingBox> part;
   for (const Group& group : groups_) {
     part.assign(group.cubes.size(), {Vec2::Constant(forever), Vec2::Constant(-forever)});
     group.track->sweep(begin_, part);
     for (std::size_t m = 0; m < part.size(); ++m)
-      bounds_[group.cubes[m]] = part[m];
+      swept[group.cubes[m]] = part[m];
   }
-  UnionFind sets(static_cast<int>(groups_.size()));
-  bool met = false;
-  for (const IndexPair& pair : broad_phase_.overlapping_pairs(bounds_)) {
-    const int a = group_of_[pair.first];
-    const int b = group_of_[pair.second];
-    met = sets.unite(a, b) || met;
-  }
-  if (!met) return false;
-  std::vector<std::vector<int>> parts(groups_.size());
-  for (std::size_t i = 0; i < group_of_.size(); ++i)
-    parts[sets.root(group_of_[i])].push_back(static_cast<int>(i));
-  std::erase_if(parts, [](const std::vector<int>& p) { return p.empty(); });
-  std::ranges::sort(parts);
+  const Parts parts = meetings_.joined(swept, group_of_, static_cast<int>(groups_.size()));
+  if (parts.empty()) return false;
   regroup(state, parts);
   return true;
 }

@@ -7,7 +7,10 @@
 #include <memory>
 
 #include "core/dynamics/momentum_balance.h"
+#include "core/time/meetings.h"
 #include "core/time/motion.h"
+#include "core/time/promised_drift.h"
+#include "core/time/shown_book.h"
 #include "core/time/track.h"
 
 namespace wuerfel {
@@ -47,9 +50,7 @@ class IslandMotion final : public Motion {
   void restart(const State& state);
   void move_groups();
   [[nodiscard]] State state_at(double t);
-  void predict(const State& state, double length);
-  void partition(std::vector<std::vector<int>>& parts);
-  void regroup(const State& state, const std::vector<std::vector<int>>& parts);
+  void regroup(const State& state, const Parts& parts);
   void make_group(const State& state, const std::vector<int>& cubes, Group& group);
   bool join_those_that_met(const State& state);
   void commit();
@@ -57,31 +58,26 @@ class IslandMotion final : public Motion {
   const System* system_;
   MotionSettings settings_;
   Scales scales_;
+  PromisedDrift drift_;
+  double energy_start_ = 0.0;  ///< J
+  Meetings meetings_;
   std::vector<Group> groups_;
   std::vector<int> group_of_;              ///< per cube
   std::vector<char> resting_;              ///< per cube, at the start of the window
   std::vector<Track::Stepping> stepping_;  ///< per cube, at the start of the window
-  std::vector<BoundingBox> bounds_;
-  BroadPhase broad_phase_;
-  double begin_ = 0.0;      ///< s, of the window
-  double end_ = 0.0;        ///< s, up to which all groups have come
-  double length_ = 0.0;     ///< s, of the next window
-  double in_motion_ = 0.0;  ///< J, at the start
-  double budget_ = 0.0;     ///< J, of drift per L / V
-  MomentumScale momentum_;  ///< the largest up to now
-  StateHash hash_;          ///< of the states at the ends of windows
-  long work_ = 0;           ///< steps times cubes since the last restart
-  double time_ = 0.0;       ///< s, where the motion is looked at
+  double begin_ = 0.0;                     ///< s, of the window
+  double end_ = 0.0;                       ///< s, up to which all groups have come
+  double length_ = 0.0;                    ///< s, of the next window
+  MomentumScale momentum_;                 ///< the largest up to now
+  StateHash hash_;                         ///< of the states at the ends of windows
+  long work_ = 0;                          ///< steps times cubes since the last restart
+  double time_ = 0.0;                      ///< s, where the motion is looked at
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while
                                                 ///< something does
   State shown_state_;                           ///< at `time_`; empty until it is asked for
   Bookkeeping computed_;                        ///< up to the clocks; events in the order of time
-  Bookkeeping shown_;                           ///< up to now
-  std::size_t next_event_ = 0;
-  std::size_t next_loss_ = 0;
-  double impact_loss_ = 0.0;    ///< J, up to now
-  double friction_loss_ = 0.0;  ///< J, of steps that are over
+  ShownBook shown_;                             ///< up to now
 };
 
 }  // namespace wuerfel

@@ -22,7 +22,6 @@ void transfer(Archive& archive, Loss& loss) {
   archive(loss.energy);
   archive(loss.friction);
   archive(loss.since);
-  archive(loss.uneven);
 }
 
 template <class Archive>

@@ -11,16 +11,6 @@
 namespace wuerfel {
 namespace {
 
-/// Frames per L / V, events per frame that are too many, and the longest stepping.
-constexpr double frames_per_time = 20.0;
-constexpr long most_events = 25;
-constexpr long most_events_again = 5;  ///< where stepping was needed not long ago
-constexpr long fewest_events = 3;
-/// An event costs as much as the group is large: large groups are given fewer of them.
-constexpr long most_events_and_cubes = 300;
-/// With `--integrator event`: beyond this the motion would not get on.
-constexpr long most_events_ever = 1000;
-constexpr int most_patience = 32;
 /// Beyond so many cubes a group that was handed over goes back only to be found at rest: the linear
 /// algebra of one smooth phase costs as much as many steps.
 constexpr int most_event_cubes = 100;
@@ -43,13 +33,14 @@ Track::Track(const System& system, const MotionSettings& settings)
       settings_(settings),
       policy_(policy_of(settings)),
       only_steps_((system.rubs || system.bounces) && system.cubes > most_rubbing_cubes),
-      events_(system, settings) {}
+      events_(system, settings),
+      crowding_(system.cubes, policy_.only_events) {}
 
 void Track::begin_steps(const State& state, double t) {
   if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_);
   const bool chosen = policy_.step > 0.0;
-  steps_->begin(state, chosen ? policy_.step : first_step * frame(),
-                chosen ? policy_.step : longest_step * frame());
+  steps_->begin(state, chosen ? policy_.step : first_step * crowding_.frame(),
+                chosen ? policy_.step : longest_step * crowding_.frame());
   stepping_ = true;
   moving_.assign(state.size(), 0);
   clock_ = t;
@@ -62,14 +53,12 @@ void Track::start(const State& state,
                   const Stepping& stepping) {
   scales_ = scales_of(*system_, state);
   pieces_.clear();
-  patience_ = stepping.patience;
-  handed_back_ = t;
-  frame_events_ = former_events_ = 0;
+  crowding_.begin(scales_.time, t, stepping.patience);
   stepping_ = false;
   if (only_steps_) {
     if (!rest_from(state, t, touching, book_)) {
       begin_steps(state, t);
-      until_ = t + longest_step * frame();
+      until_ = t + longest_step * crowding_.frame();
     }
     return;
   }
@@ -82,8 +71,8 @@ void Track::start(const State& state,
   if (!(policy_.only_steps || events_.wedged() || stepping.until > t)) return;
   begin_steps(events_.state(), t);
   const bool settles = system_->rubs || system_->bounces;
-  until_ = !policy_.only_steps ? std::max(stepping.until, t + frame())
-           : settles           ? t + longest_step * frame()
+  until_ = !policy_.only_steps ? std::max(stepping.until, t + crowding_.frame())
+           : settles           ? t + longest_step * crowding_.frame()
                                : std::numeric_limits<double>::infinity();
 }
 
@@ -109,7 +98,7 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
 }
 
 Track::Stepping Track::stepping() const {
-  return stepping_ ? Stepping{until_, patience_} : Stepping{-1.0, patience_};
+  return {stepping_ ? until_ : -1.0, crowding_.patience()};
 }
 
 Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
@@ -185,39 +174,17 @@ bool Track::leaves_overlap(const Audit& before) {
   return events_.overlap() > share;
 }
 
-double Track::frame() const { return scales_.time / frames_per_time; }
-
-void Track::count_events(double t, long more) {
-  const auto now = static_cast<long>(std::floor(t / frame()));
-  if (now != frame_) {
-    former_events_ = now == frame_ + 1 ? frame_events_ : 0;
-    frame_events_ = 0;
-    frame_ = now;
-  }
-  frame_events_ += more;
-}
-
 /// Whether events crowd, or the cubes are wedged.
 void Track::consider_events() {
   if (events_.at_rest()) return;
-  count_events(events_.clock(), events_.events() - last_events_);
+  crowding_.count(events_.clock(), events_.events() - last_events_);
   last_events_ = events_.events();
-  if (events_.wedged() || frame_events_ > affordable_events())
-    hand_over(events_.state(), events_.clock());
-}
-
-long Track::affordable_events() const {
-  if (policy_.only_events) return most_events_ever;
-  return std::clamp(most_events_and_cubes / std::max(1, system_->cubes), fewest_events,
-                    patience_ > 1 ? most_events_again : most_events);
+  if (events_.wedged() || crowding_.crowds()) hand_over(events_.state(), events_.clock());
 }
 
 void Track::hand_over(const State& state, double t) {
   begin_steps(state, t);
-  // Soon after the last time: longer. After a long time without: as at first.
-  if (clock_ - handed_back_ > most_patience * frame()) patience_ = 1;
-  until_ = (std::floor(clock_ / frame()) + 1.0 + patience_) * frame();
-  patience_ = std::min(2 * patience_, most_patience);
+  until_ = crowding_.step_from(t);
   ++book_.cost.hand_overs;
 }
 
@@ -235,30 +202,28 @@ void Track::step(double limit) {
                      steps_->loaded(),
                      steps_->record()});
   clock_ = end;
-  count_events(clock_, static_cast<long>(book_.events.size() - logged));
+  crowding_.count(clock_, static_cast<long>(book_.events.size() - logged));
   if (clock_ >= until_) go_on_or_hand_back();
 }
 
 /// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
   if (only_steps_ || policy_.only_steps) {
-    until_ = (std::round(clock_ / frame()) + longest_step) * frame();
+    until_ = crowding_.frames_after(clock_, longest_step);
     stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_);
     return;
   }
-  const bool calm = std::max(frame_events_, former_events_) <= affordable_events();
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
-  if (calm && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
+  if (crowding_.calm() && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
     hand_back();
   } else {
-    until_ = (std::round(clock_ / frame()) + longest_step) * frame();
+    until_ = crowding_.frames_after(clock_, longest_step);
   }
 }
 
 void Track::hand_back() {
-  handed_back_ = clock_;
+  crowding_.step_to(clock_);
   last_events_ = 0;
-  frame_events_ = former_events_ = 0;
   stepping_ = false;
   const State state = steps_->with_closed_gaps();
   const double loss = energy(*system_, steps_->state()) - energy(*system_, state);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/time/crowding.h"
 #include "core/time/events/event_motion.h"
 #include "core/time/policy.h"
 #include "core/time/restart_point.h"
@@ -17,15 +18,11 @@ namespace wuerfel {
 /// Which of the two moves the group. Changes are decided by counts of events, never by clocks of
 /// the machine: the same scene changes at the same instants.
 ///
-///   - events are counted in frames of L / V / 20; more of them in one frame than the group can
-///     afford hand over to stepping, at once and from where the motion is; so do cubes that are
-///     wedged, and an event that was missed and would leave overlap,
-///   - stepping lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon, and until
-///   impacts
-///     no longer crowd; then gaps of contacts that carry load are closed and the events get their
-///     next chance. Large groups go back only to be found at rest.
-///
-/// With `--integrator event` only 1000 events in a frame are too many.
+///   - events that crowd (Crowding) hand over to stepping, at once and from where the motion is; so
+///     do cubes that are wedged, and an event that was missed and would leave overlap,
+///   - stepping lasts for some frames, and until impacts no longer crowd; then gaps of contacts that
+///     carry load are closed and the events get their next chance. Large groups go back only to be
+///     found at rest.
 class Track {
  public:
   Track(const System& system, const MotionSettings& settings);
@@ -69,10 +66,7 @@ class Track {
   bool rest_from(const State& state, double t, double touching, Bookkeeping& book);
   void begin_steps(const State& state, double t);
   [[nodiscard]] bool leaves_overlap(const Audit& before);
-  [[nodiscard]] double frame() const;
-  void count_events(double t, long more);
   void consider_events();
-  [[nodiscard]] long affordable_events() const;
   void hand_over(const State& state, double t);
   void step(double limit);
   void go_on_or_hand_back();
@@ -91,12 +85,8 @@ class Track {
   double clock_ = 0.0;        ///< s, of the stepping
   std::deque<MotionPiece> pieces_;
   double until_ = 0.0;  ///< s, end of the stepping
-  long frame_ = 0;      ///< number of the frame in which events are counted
-  long frame_events_ = 0;
-  long former_events_ = 0;  ///< of the frame before
-  long last_events_ = 0;
-  int patience_ = 1;          ///< frames of the next stepping
-  double handed_back_ = 0.0;  ///< s
+  Crowding crowding_;
+  long last_events_ = 0;  ///< of `events_`, when they were counted last
   Bookkeeping book_;
 };
 

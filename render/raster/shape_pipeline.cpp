@@ -23,6 +23,7 @@ struct Attribute {
 };
 
 struct Layout {
+  std::size_t shape = 0;  ///< bytes
   std::size_t stride = 0;
   std::span<const Attribute> attributes;
 };
@@ -36,7 +37,8 @@ constexpr std::array segment_attributes{
     Attribute{2, offsetof(SegmentShape, half_width)}, Attribute{0, offsetof(SegmentShape, color)}};
 constexpr std::array arrow_attributes{
     Attribute{2, offsetof(ArrowShape, tail)}, Attribute{2, offsetof(ArrowShape, tip)},
-    Attribute{4, offsetof(ArrowShape, half_width)}, Attribute{0, offsetof(ArrowShape, color)}};
+    Attribute{4, offsetof(ArrowShape, half_width)}, Attribute{0, offsetof(ArrowShape, color)},
+    Attribute{1, sizeof(ArrowShape)}};  // the part
 constexpr std::array disc_attributes{
     Attribute{2, offsetof(DiscShape, center)}, Attribute{2, offsetof(DiscShape, radius)},
     Attribute{0, offsetof(DiscShape, fill)}, Attribute{0, offsetof(DiscShape, outline)}};
@@ -50,17 +52,17 @@ constexpr std::array triangle_attributes{Attribute{2, offsetof(TriangleShape, a)
 Layout layout_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::segment:
-      return {sizeof(SegmentShape), segment_attributes};
+      return {sizeof(SegmentShape), sizeof(SegmentShape), segment_attributes};
     case ShapeKind::arrow:
-      return {sizeof(ArrowShape), arrow_attributes};
+      return {sizeof(ArrowShape), sizeof(ArrowShape) + sizeof(float), arrow_attributes};
     case ShapeKind::disc:
-      return {sizeof(DiscShape), disc_attributes};
+      return {sizeof(DiscShape), sizeof(DiscShape), disc_attributes};
     case ShapeKind::triangle:
-      return {sizeof(TriangleShape), triangle_attributes};
+      return {sizeof(TriangleShape), sizeof(TriangleShape), triangle_attributes};
     case ShapeKind::box:
       break;
   }
-  return {sizeof(BoxShape), box_attributes};
+  return {sizeof(BoxShape), sizeof(BoxShape), box_attributes};
 }
 
 const void* shapes_of(const DrawList& list, ShapeKind kind) {
@@ -79,22 +81,16 @@ const void* shapes_of(const DrawList& list, ShapeKind kind) {
   return list.boxes.data();
 }
 
+/// What a vertex of an arrow carries behind the shape: the part of the arrow that its quad is around.
+constexpr float whole_arrow = 0.0F;
+constexpr float shaft_of_arrow = 1.0F;
+constexpr float head_of_arrow = 2.0F;
+
 /// True where a second quad would cost more than the pixels beside the shaft that it saves.
 bool takes_one_quad(const ArrowShape& arrow) {
   constexpr float quad_cost = 300.0F;  // px
   const float length = std::hypot(arrow.tip.x - arrow.tail.x, arrow.tip.y - arrow.tail.y);
   return 2.0F * length * (arrow.head_half_width - arrow.half_width) < quad_cost;
-}
-
-/// How many of the shapes of a run from `first` on take as many quads as that one.
-std::size_t alike(const DrawList& list, const ShapeRun& run, std::size_t first) {
-  const std::size_t end = run.first + run.count;
-  if (run.kind != ShapeKind::arrow) return end - first;
-  const bool one_quad = takes_one_quad(list.arrows[first]);
-  std::size_t next = first;
-  while (next < end && takes_one_quad(list.arrows[next]) == one_quad)
-    ++next;
-  return next - first;
 }
 
 GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view source) {
@@ -116,7 +112,7 @@ GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view source) {
 }  // namespace
 
 ShapePipeline::ShapePipeline(const GlFunctions& gl, ShapeKind kind)
-    : gl_(gl), kind_(kind), stride_(layout_of(kind).stride) {
+    : gl_(gl), kind_(kind), shape_size_(layout_of(kind).shape), stride_(layout_of(kind).stride) {
   const ShaderSource source = embedded_shader(kind);
   program_ = gl_.CreateProgram();
   for (const GLuint shader : {compile(gl_, GL_VERTEX_SHADER, source.vertex),
@@ -133,7 +129,6 @@ ShapePipeline::ShapePipeline(const GlFunctions& gl, ShapeKind kind)
     throw LibraryError(std::string("a shader does not link: ") + log.data());
   }
   picture_ = gl_.GetUniformLocation(program_, "picture");
-  whole_ = gl_.GetUniformLocation(program_, "whole");
   describe_vertices();
 }
 
@@ -180,27 +175,44 @@ void ShapePipeline::make_indices(std::size_t quads) {
                  GL_STATIC_DRAW);
 }
 
+/// The corners of a quad around a shape.
+void ShapePipeline::add_quad(const std::byte* shape) {
+  for (std::size_t copy = 0; copy < vertices_of_quad; ++copy)
+    vertices_.insert(vertices_.end(), shape, shape + shape_size_);
+}
+
+/// The same around a part of an arrow.
+void ShapePipeline::add_quad(const std::byte* shape, float part) {
+  const auto* const bytes = reinterpret_cast<const std::byte*>(&part);
+  for (std::size_t copy = 0; copy < vertices_of_quad; ++copy) {
+    vertices_.insert(vertices_.end(), shape, shape + shape_size_);
+    vertices_.insert(vertices_.end(), bytes, bytes + sizeof part);
+  }
+}
+
+void ShapePipeline::add_quads(const DrawList& list, std::size_t i) {
+  const std::byte* const shape =
+      static_cast<const std::byte*>(shapes_of(list, kind_)) + i * shape_size_;
+  if (kind_ != ShapeKind::arrow) {
+    add_quad(shape);
+  } else if (takes_one_quad(list.arrows[i])) {
+    add_quad(shape, whole_arrow);
+  } else {
+    add_quad(shape, shaft_of_arrow);
+    add_quad(shape, head_of_arrow);
+  }
+}
+
 void ShapePipeline::draw(const DrawList& list, const ShapeRun& run, const Region& region) {
-  const auto* const shapes = static_cast<const std::byte*>(shapes_of(list, kind_));
+  vertices_.clear();
+  for (std::size_t i = run.first; i < run.first + run.count; ++i)
+    if (touches(list, kind_, i, region)) add_quads(list, i);
+  if (vertices_.empty()) return;
   gl_.UseProgram(program_);
   gl_.Uniform2f(picture_, static_cast<float>(list.width), static_cast<float>(list.height));
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-  for (std::size_t first = run.first, count = 0; first < run.first + run.count; first += count) {
-    count = alike(list, run, first);
-    const bool one_quad = kind_ != ShapeKind::arrow || takes_one_quad(list.arrows[first]);
-    const std::size_t copies = vertices_of_quad * (one_quad ? 1 : 2);
-    vertices_.clear();
-    for (std::size_t i = first; i < first + count; ++i) {
-      if (!touches(list, kind_, i, region)) continue;
-      const std::byte* const shape = shapes + i * stride_;
-      for (std::size_t copy = 0; copy < copies; ++copy)
-        vertices_.insert(vertices_.end(), shape, shape + stride_);
-    }
-    if (vertices_.empty()) continue;
-    if (whole_ >= 0) gl_.Uniform1i(whole_, one_quad ? 1 : 0);
-    draw_quads(vertices_.size() / (vertices_of_quad * stride_));
-  }
+  draw_quads(vertices_.size() / (vertices_of_quad * stride_));
 }
 
 void ShapePipeline::draw_quads(std::size_t count) {

@@ -13,7 +13,8 @@ namespace wuerfel::internal {
 
 /// Draws all shapes of a run at once, each in a quad (a long arrow in two) whose fragments know how
 /// far they are from the shape's edge. Every vertex carries the whole shape: drawing instances
-/// instead would send less, but costs llvmpipe 2 microseconds for each.
+/// instead would send less, but costs llvmpipe 2 microseconds for each; and each draw call costs it
+/// a copy of all state, 40 kB.
 class ShapePipeline {
  public:
   /// Throws LibraryError where the shaders are refused.
@@ -30,17 +31,20 @@ class ShapePipeline {
  private:
   void describe_vertices();
   void make_indices(std::size_t quads);
+  void add_quad(const std::byte* shape);
+  void add_quad(const std::byte* shape, float part);
+  void add_quads(const DrawList& list, std::size_t i);
   void draw_quads(std::size_t count);
 
   const GlFunctions& gl_;
   ShapeKind kind_;
-  std::size_t stride_;
+  std::size_t shape_size_;  ///< bytes
+  std::size_t stride_;      ///< of a vertex, likewise
   GLuint program_ = 0;
   GLuint vertex_array_ = 0;
   GLuint vertex_buffer_ = 0;
   GLuint index_buffer_ = 0;
   GLint picture_ = -1;
-  GLint whole_ = -1;  ///< arrows only
   std::size_t indexed_quads_ = 0;
   std::vector<std::byte> vertices_;  ///< of the shapes that are to be drawn next
 };

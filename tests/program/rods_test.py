@@ -169,9 +169,9 @@ class Rods(ProgramTest):
         more = self.expect(0, "check", self.scene(scene), "--set", "truss.truss1.kind=warren", "--json").stdout
         self.assertIn("truss1_diagonal12", more)
 
-    def test_the_scenes_of_the_readme_do_what_it_says(self):
-        with open(os.path.join(os.environ["PROJECT"], "README.md")) as page:
-            section = page.read().split("\n## Rods\n")[1].split("\n## ")[0]
+    def test_the_scenes_of_their_page_do_what_it_says(self):
+        with open(os.path.join(os.environ["SCENES"], "README.md")) as page:
+            section = page.read().split("\n## Rods\n")[1]
         pendulum, bridge = re.findall(r"```toml\n(.*?)```", section, re.DOTALL)
         for name, text in (("pendulum.toml", pendulum), ("bridge.toml", bridge)):
             with open(self.path(name), "w") as file:

@@ -80,7 +80,7 @@ struct SolutionSet {
 
 SolutionSet solution_set(const MatrixXd& A, const VectorXd& r, double rank_tolerance) {
   if (A.cols() == 0) return {VectorXd(0), MatrixXd(0, 0)};
-  const Eigen::BDCSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
   Index rank = 0;
   while (rank < sigma.size() && sigma[rank] > rank_tolerance * sigma[0])

@@ -22,7 +22,7 @@ struct BlockPattern {
             const std::vector<int>& neighbour,
             std::vector<int>& order);
   /// Place of block (row, column), row >= column; -1 if it is not in the pattern.
-  [[nodiscard]] int place(int row, int column) const;
+  [[nodiscard]] int place(int i, int column) const;
   /// Number of blocks of L.
   [[nodiscard]] int fill() const { return column_start.back(); }
 

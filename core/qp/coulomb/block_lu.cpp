@@ -17,10 +17,38 @@ inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
   }
 }
 
+/// Three rows [A X] on the way from [A I] to [I A^-1].
+using Rows = double[3][6];
+
+/// Puts the row with the largest entry in column k in the k-th place; the sign of that exchange, 0 where all are zero.
+int bring_up_pivot(int k, Rows& a) {
+  int best = k;
+  for (int r = k + 1; r < 3; ++r)
+    if (std::abs(a[r][k]) > std::abs(a[best][k])) best = r;
+  if (!(std::abs(a[best][k]) > 0.0)) return 0;
+  if (best == k) return 1;
+  for (int c = 0; c < 6; ++c)
+    std::swap(a[k][c], a[best][c]);
+  return -1;
+}
+
+/// Makes column k one of the identity.
+void eliminate(int k, Rows& a) {
+  const double inverse = 1.0 / a[k][k];
+  for (int c = k; c < 6; ++c)
+    a[k][c] *= inverse;
+  for (int r = 0; r < 3; ++r) {
+    if (r == k) continue;
+    const double f = a[r][k];
+    for (int c = k; c < 6; ++c)
+      a[r][c] -= f * a[k][c];
+  }
+}
+
 /// Inverse of a 3x3 block by Gauss-Jordan with pivoting; returns the sign of its determinant, 0
 /// where it has none.
 int invert(const Quad* A, Quad* X) {
-  double a[3][6];
+  Rows a;
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
       a[r][c] = A[c].v[r];
@@ -29,25 +57,10 @@ int invert(const Quad* A, Quad* X) {
   }
   int sign = 1;
   for (int k = 0; k < 3; ++k) {
-    int best = k;
-    for (int r = k + 1; r < 3; ++r)
-      if (std::abs(a[r][k]) > std::abs(a[best][k])) best = r;
-    if (!(std::abs(a[best][k]) > 0.0)) return 0;
-    if (best != k) {
-      sign = -sign;
-      for (int c = 0; c < 6; ++c)
-        std::swap(a[k][c], a[best][c]);
-    }
+    sign *= bring_up_pivot(k, a);
+    if (sign == 0) return 0;
     if (a[k][k] < 0.0) sign = -sign;
-    const double inverse = 1.0 / a[k][k];
-    for (int c = k; c < 6; ++c)
-      a[k][c] *= inverse;
-    for (int r = 0; r < 3; ++r) {
-      if (r == k) continue;
-      const double f = a[r][k];
-      for (int c = k; c < 6; ++c)
-        a[r][c] -= f * a[k][c];
-    }
+    eliminate(k, a);
   }
   for (int c = 0; c < 3; ++c)
     X[c] = Quad{{a[0][c + 3], a[1][c + 3], a[2][c + 3], 0.0}};

@@ -137,6 +137,39 @@ double CanonicalFriction::slope(const std::vector<Pair>& wish, double step) {
   return sum;
 }
 
+/// d = -(1/rho + G' D G)^-1 (z / rho + G' l - shift) with the factor at hand.
+void CanonicalFriction::find_direction() {
+  form_.apply_transposed(l_.data(), balance_.data());
+  d_ = shift_;
+  add(-1.0, balance_, d_);
+  for (Quad& q : d_) {
+    for (int c = 0; c < 3; ++c)
+      q.v[c] *= rho_;
+  }
+  add(-1.0, z_, d_);
+  form_.solve(d_.data());
+  form_.apply(d_.data(), Gd_.data());
+}
+
+/// Where within the step along d the slope vanishes; it is positive at its end.
+double CanonicalFriction::root_of_slope(const std::vector<Pair>& wish) {
+  double low = 0.0;
+  double high = 1.0;
+  for (int half = 0; half < 40; ++half) {
+    const double middle = 0.5 * (low + high);
+    (slope(wish, middle) > 0.0 ? high : low) = middle;
+  }
+  return high;
+}
+
+void CanonicalFriction::move(double step) {
+  add(step, d_, z_);
+  for (int i = 0; i < form_.count(); ++i) {
+    Gz_[i].n += step * Gd_[i].n;
+    Gz_[i].t += step * Gd_[i].t;
+  }
+}
+
 /// Newton's steps on the sides, with an exact line search; ends where a whole step keeps them.
 bool CanonicalFriction::minimise(const std::vector<Pair>& wish) {
   form_.apply(z_.data(), Gz_.data());
@@ -146,30 +179,9 @@ bool CanonicalFriction::minimise(const std::vector<Pair>& wish) {
       weight_[i] = face_weight(i, side_[i]);
     if (!form_.factorise(weight_)) return false;
     for (int refinement = 0; refinement < 2; ++refinement) {
-      // d = -(1/rho + G' D G)^-1 (z / rho + G' l - shift)
-      form_.apply_transposed(l_.data(), balance_.data());
-      d_ = shift_;
-      add(-1.0, balance_, d_);
-      for (Quad& q : d_) {
-        for (int c = 0; c < 3; ++c)
-          q.v[c] *= rho_;
-      }
-      add(-1.0, z_, d_);
-      form_.solve(d_.data());
-      form_.apply(d_.data(), Gd_.data());
-      double step = 1.0;
-      if (slope(wish, 1.0) > 0.0 && refinement == 0) {
-        double low = 0.0;
-        for (int half = 0; half < 40; ++half) {
-          const double middle = 0.5 * (low + step);
-          (slope(wish, middle) > 0.0 ? step : low) = middle;
-        }
-      }
-      add(step, d_, z_);
-      for (int i = 0; i < form_.count(); ++i) {
-        Gz_[i].n += step * Gd_[i].n;
-        Gz_[i].t += step * Gd_[i].t;
-      }
+      find_direction();
+      const bool too_far = slope(wish, 1.0) > 0.0 && refinement == 0;
+      move(too_far ? root_of_slope(wish) : 1.0);
       if (!find_sides(wish)) break;
       if (refinement == 1) return true;
     }
@@ -224,6 +236,17 @@ void CanonicalFriction::find(const FrictionProgram& friction,
   if (with_unique) mark_unique(result, std::vector<Pair>(l_));
 }
 
+/// Forces that are by more than `least` N away from the canonical ones are not the only ones.
+void CanonicalFriction::mark_moved(const std::vector<Pair>& canonical,
+                                   double least,
+                                   std::vector<bool>& unique) const {
+  for (std::size_t i = 0; i < unique.size(); ++i) {
+    const double change =
+        std::max(std::abs(l_[i].n - canonical[i].n), std::abs(l_[i].t - canonical[i].t));
+    if (change > least) unique[i] = false;
+  }
+}
+
 /// A force is the only one possible if wishes of other ones do not move it.
 void CanonicalFriction::mark_unique(CanonicalForces& result, const std::vector<Pair>& canonical) {
   double force = 0.0;
@@ -236,13 +259,7 @@ void CanonicalFriction::mark_unique(CanonicalForces& result, const std::vector<P
     for (Pair& w : wish)
       w = {force * (2.0 * dice.next() - 1.0), force * (2.0 * dice.next() - 1.0)};
     for (int opposite = 0; opposite < 2; ++opposite) {
-      if (nearest(wish) <= good_balance) {
-        for (std::size_t i = 0; i < result.unique.size(); ++i) {
-          const double change =
-              std::max(std::abs(l_[i].n - canonical[i].n), std::abs(l_[i].t - canonical[i].t));
-          if (change > same_force * force) result.unique[i] = false;
-        }
-      }
+      if (nearest(wish) <= good_balance) mark_moved(canonical, same_force * force, result.unique);
       for (Pair& w : wish)
         w = {-w.n, -w.t};
     }

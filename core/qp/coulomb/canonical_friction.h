@@ -39,13 +39,19 @@ class CanonicalFriction {
   enum class Side : signed char { out, in, edge_forward, edge_back };
   void classify(const FrictionProgram& friction, const std::vector<double>& x);
   /// The projection of v onto the unit's cone, and on which face it falls.
-  [[nodiscard]] Side project(int unit, Pair& v) const;
-  [[nodiscard]] ContactForm::Weight face_weight(int unit, Side side) const;
+  [[nodiscard]] Side project(int i, Pair& v) const;
+  [[nodiscard]] ContactForm::Weight face_weight(int i, Side side) const;
   /// The forces nearest to `wish` with G' l = s; their misfit.
   double nearest(const std::vector<Pair>& wish);
   bool minimise(const std::vector<Pair>& wish);
+  void find_direction();
+  [[nodiscard]] double root_of_slope(const std::vector<Pair>& wish);
+  void move(double step);
   double slope(const std::vector<Pair>& wish, double step);
   bool find_sides(const std::vector<Pair>& wish);
+  void mark_moved(const std::vector<Pair>& canonical,
+                  double least,
+                  std::vector<bool>& unique) const;
   void mark_unique(CanonicalForces& result, const std::vector<Pair>& canonical);
 
   ContactForm form_;

@@ -178,6 +178,15 @@ void ConeInteriorPoint::move(const ContactForm& form, double step) {
   }
 }
 
+ConeInteriorPoint::Product ConeInteriorPoint::product_of(const ContactUnit& unit,
+                                                         const Pairs& p,
+                                                         int k,
+                                                         double per_force) {
+  const double norm = k == 0 ? unit.norm.n : unit.norm.t;
+  const double per_velocity = k == 0 ? unit.per_velocity.n : unit.per_velocity.t;
+  return {p.force[k] * norm * per_force, p.slack[k] * per_velocity};
+}
+
 /// The smaller of every pair and what rows miss, forces to the largest force.
 double ConeInteriorPoint::worst_pair(const ContactForm& form, double weight) const {
   double force = weight;
@@ -189,9 +198,8 @@ double ConeInteriorPoint::worst_pair(const ContactForm& form, double weight) con
     const ContactUnit& unit = form.units()[i];
     const Pairs& p = pairs_[i];
     for (int k = 0; k < p.count; ++k) {
-      const double norm = k == 0 ? unit.norm.n : unit.norm.t;
-      const double per_velocity = k == 0 ? unit.per_velocity.n : unit.per_velocity.t;
-      worst = std::max(worst, std::min(p.force[k] * norm * per_force, p.slack[k] * per_velocity));
+      const Product product = product_of(unit, p, k, per_force);
+      worst = std::max(worst, std::min(product.force, product.slack));
     }
     const double n = at_.rest[i].n + p.slack[0];
     worst = std::max(worst, std::abs(n) * unit.per_velocity.n);
@@ -200,7 +208,8 @@ double ConeInteriorPoint::worst_pair(const ContactForm& form, double weight) con
       worst = std::max(worst, std::abs(t) * unit.per_velocity.t);
     }
   }
-  return std::isfinite(worst) ? worst : unbounded;
+  if (!std::isfinite(worst)) return unbounded;
+  return worst;
 }
 
 /// Every pair's smaller partner to zero.
@@ -217,16 +226,13 @@ void ConeInteriorPoint::round_off(const ContactForm& form,
     const Pairs& p = pairs_[i];
     if (p.count == 0) continue;
     const auto is_force = [&](int k) {
-      const double norm = k == 0 ? unit.norm.n : unit.norm.t;
-      const double per_velocity = k == 0 ? unit.per_velocity.n : unit.per_velocity.t;
-      return p.force[k] * norm * per_force >= p.slack[k] * per_velocity;
+      const Product product = product_of(unit, p, k, per_force);
+      return product.force >= product.slack;
     };
     Pair& l = point.l[i];
     if (!is_force(0)) l = {};
-    if (p.count == 3 && l.n > 0.0) {
-      if (!is_force(1)) l.t = unit.mu * l.n;
-      if (!is_force(2)) l.t = -unit.mu * l.n;
-    }
+    if (p.count == 3 && l.n > 0.0 && !is_force(1)) l.t = unit.mu * l.n;
+    if (p.count == 3 && l.n > 0.0 && !is_force(2)) l.t = -unit.mu * l.n;
     clamp_to_cone(unit, l);
   }
 }

@@ -55,6 +55,13 @@ class ConeInteriorPoint {
     int count = 0;
   };
 
+  /// The partners of a pair as shares of the largest force and velocity.
+  struct Product {
+    double force = 0.0;
+    double slack = 0.0;
+  };
+
+  static Product product_of(const ContactUnit& unit, const Pairs& p, int k, double per_force);
   void start(const ContactForm& form, const ConeInteriorEffort& effort);
   [[nodiscard]] double mean_product(double step) const;
   void set_weights(const ContactForm& form, double delta);

@@ -24,6 +24,14 @@ inline Quad combine(double f, const Quad& a, double g, const Quad& b) {
   return {{f * a.v[0] + g * b.v[0], f * a.v[1] + g * b.v[1], f * a.v[2] + g * b.v[2], 0.0}};
 }
 
+/// Adds the blocks of a row that are not there yet from `first` on.
+void add_blocks(const QuadraticProgram& p, int row, int first, std::vector<int>& blocks) {
+  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
+    const auto known = std::find(blocks.begin() + first, blocks.end(), p.entry_block[e]);
+    if (known == blocks.end()) blocks.push_back(p.entry_block[e]);
+  }
+}
+
 }  // namespace
 
 void ContactForm::prepare(const FrictionProgram& friction, const CoulombScales& scales) {
@@ -54,15 +62,8 @@ void ContactForm::gather(const FrictionProgram& friction) {
   couplings_.assign(1, blocks_);
   for (ContactUnit& unit : units_) {
     unit.first = static_cast<int>(couplings_.size());
-    const auto add = [&](int row) {
-      for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-        const auto begin = couplings_.begin() + unit.first;
-        if (std::find(begin, couplings_.end(), p.entry_block[e]) == couplings_.end())
-          couplings_.push_back(p.entry_block[e]);
-      }
-    };
-    add(unit.normal);
-    if (unit.tangent >= 0) add(unit.tangent);
+    add_blocks(p, unit.normal, unit.first, couplings_);
+    if (unit.tangent >= 0) add_blocks(p, unit.tangent, unit.first, couplings_);
     unit.last = static_cast<int>(couplings_.size());
     couplings_.push_back(-1);
   }
@@ -199,25 +200,24 @@ WUERFEL_CLONES bool ContactForm::factorise(const std::vector<Weight>& weight) {
     const ContactUnit& unit = units_[i];
     const Weight& w = weight[i];
     const int size = unit.last - unit.first;
-    if (w.nn != 0.0 || w.tt != 0.0 || w.tn != 0.0 || w.nt != 0.0) {
-      const int* place = pair;
-      for (int a = unit.first; a < unit.last; ++a) {
-        const ContactEntry& A = entry_[a];
-        const Quad p = combine(w.nn, A.n, w.nt, A.t);
-        const Quad q = combine(w.tn, A.n, w.tt, A.t);
-        for (int b = a; b < unit.last; ++b, ++place) {
-          const ContactEntry& B = entry_[b];
-          add_outer(B.n, p.v, lu_.lower(*place));
-          add_outer(B.t, q.v, lu_.lower(*place));
-          if (b == a) continue;
-          const Quad r = combine(w.nn, A.n, w.tn, A.t);
-          const Quad s = combine(w.nt, A.n, w.tt, A.t);
-          add_outer(B.n, r.v, lu_.upper(*place));
-          add_outer(B.t, s.v, lu_.upper(*place));
-        }
+    const int* place = pair;
+    pair += size * (size + 1) / 2;
+    if (w.nn == 0.0 && w.tt == 0.0 && w.tn == 0.0 && w.nt == 0.0) continue;
+    for (int a = unit.first; a < unit.last; ++a) {
+      const ContactEntry& A = entry_[a];
+      const Quad p = combine(w.nn, A.n, w.nt, A.t);
+      const Quad q = combine(w.tn, A.n, w.tt, A.t);
+      for (int b = a; b < unit.last; ++b, ++place) {
+        const ContactEntry& B = entry_[b];
+        add_outer(B.n, p.v, lu_.lower(*place));
+        add_outer(B.t, q.v, lu_.lower(*place));
+        if (b == a) continue;
+        const Quad r = combine(w.nn, A.n, w.tn, A.t);
+        const Quad s = combine(w.nt, A.n, w.tt, A.t);
+        add_outer(B.n, r.v, lu_.upper(*place));
+        add_outer(B.t, s.v, lu_.upper(*place));
       }
     }
-    pair += size * (size + 1) / 2;
   }
   return lu_.factorise();
 }

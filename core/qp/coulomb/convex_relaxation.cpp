@@ -49,6 +49,20 @@ void ConvexRelaxation::build(const FrictionProgram& friction) {
     if (has_cone(contact)) add_edges(p, contact);
 }
 
+/// Adds a multiple of a row to the one at hand.
+void ConvexRelaxation::add_row(const QuadraticProgram& p, int row, double factor) {
+  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
+    const auto found = std::find(block_.begin(), block_.end(), p.entry_block[e]);
+    const auto at = found - block_.begin();
+    if (found == block_.end()) {
+      block_.push_back(p.entry_block[e]);
+      coefficients_.resize(coefficients_.size() + p.entry(e).size(), 0.0);
+    }
+    for (int c = 0; c < p.block_size; ++c)
+      coefficients_[at * p.block_size + c] += factor * p.coefficients[e * p.block_size + c];
+  }
+}
+
 /// Rows  J_n +- mu J_t >= b_n +- mu b_t, scaled.
 void ConvexRelaxation::add_edges(const QuadraticProgram& p, const FrictionContact& contact) {
   const double scale = edge_scale(contact.mu);
@@ -56,20 +70,8 @@ void ConvexRelaxation::add_edges(const QuadraticProgram& p, const FrictionContac
     const double f = sign * contact.mu * scale;
     block_.clear();
     coefficients_.clear();
-    const auto add = [&](int row, double factor) {
-      for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-        const auto found = std::find(block_.begin(), block_.end(), p.entry_block[e]);
-        const auto at = found - block_.begin();
-        if (found == block_.end()) {
-          block_.push_back(p.entry_block[e]);
-          coefficients_.resize(coefficients_.size() + p.entry(e).size(), 0.0);
-        }
-        for (int c = 0; c < p.block_size; ++c)
-          coefficients_[at * p.block_size + c] += factor * p.coefficients[e * p.block_size + c];
-      }
-    };
-    add(contact.normal, scale);
-    add(contact.tangent, f);
+    add_row(p, contact.normal, scale);
+    add_row(p, contact.tangent, f);
     convex_.add_inequality(scale * p.bound[contact.normal] + f * p.bound[contact.tangent]);
     for (int k = 0; k < static_cast<int>(block_.size()); ++k) {
       convex_.add_entry(block_[k], {coefficients_.data() + k * p.block_size,

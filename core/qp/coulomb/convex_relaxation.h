@@ -27,6 +27,7 @@ class ConvexRelaxation {
 
  private:
   void build(const FrictionProgram& friction);
+  void add_row(const QuadraticProgram& p, int row, double factor);
   void add_edges(const QuadraticProgram& p, const FrictionContact& contact);
   void read(const FrictionProgram& friction);
 

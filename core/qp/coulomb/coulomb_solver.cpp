@@ -114,9 +114,10 @@ bool CoulombSolver::Work::start(std::span<const std::uint64_t> keys) {
   const ContactForm& form = stages.form();
   stages.modes.resize(form.count());
   stages.point.reset(form);
-  for (int i = 0; i < form.count(); ++i)
-    stages.modes[i] =
-        is_apart(form.units()[i]) ? ContactMode::open : CoulombStages::first_mode(form.units()[i]);
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    stages.modes[i] = is_apart(unit) ? ContactMode::open : CoulombStages::first_mode(unit);
+  }
   return memory.recall(form, keys, stages.weight(), stages.modes, stages.point.l);
 }
 

@@ -121,40 +121,40 @@ void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
 }
 
 /// Until modes ask to be changed, rows in force are within the goal, or it gets on too slowly.
-ModeNewton::Outcome ModeNewton::take_proximal_steps(const ContactForm& form,
-                                                    std::vector<ContactMode>& modes,
-                                                    ContactPoint& point,
-                                                    const ModeNewtonEffort& effort) {
+ModeNewton::ProximalSteps ModeNewton::take_proximal_steps(const ContactForm& form,
+                                                          std::vector<ContactMode>& modes,
+                                                          ContactPoint& point,
+                                                          const ModeNewtonEffort& effort) {
   double former = unbounded;
   int stalled = 0;
   for (int pass = 0; pass < most_passes; ++pass) {
     step(form, point);
     find_missing(form, point);
-    revised_ = revise_modes(form, point.l, missing_, noise_share, modes);
-    if (revised_ > 0) return Outcome::moved;
+    const int revised = revise_modes(form, point.l, missing_, noise_share, modes);
+    if (revised > 0) return {End::moved, revised};
     centre_ = point.l;
     search_ = {};
     const double missed = missed_by(form, modes, point);
     stalled = missed < stalled_share * former ? 0 : stalled + 1;
     if (missed <= effort.goal || (missed <= near_goal && stalled == most_stalled)) {
       step(form, point);  // what compliance has left is rounding then
-      return Outcome::settled;
+      return {End::settled};
     }
-    if (delta_ > effort.least_delta && !(missed < slow_share * former)) return Outcome::slow;
+    if (delta_ > effort.least_delta && !(missed < slow_share * former)) return {End::slow};
     former = missed;
   }
-  return Outcome::stuck;
+  return {End::stuck};
 }
 
 /// Whether Newton's method approaches a solution since modes were confirmed. Where it was at these modes before it would
 /// repeat itself.
-bool ModeNewton::gets_on(const std::vector<ContactMode>& modes) {
+bool ModeNewton::gets_on(const std::vector<ContactMode>& modes, int revised) {
   Search& s = search_;
   if (std::ranges::find(s.visited, modes) != s.visited.end()) return false;
   s.visited.push_back(modes);
-  s.no_better = revised_ < s.fewest ? 0 : s.no_better + 1;
-  s.fewest = std::min(s.fewest, revised_);
-  return s.no_better < most_no_better || revised_ <= few_modes;
+  s.no_better = revised < s.fewest ? 0 : s.no_better + 1;
+  s.fewest = std::min(s.fewest, revised);
+  return s.no_better < most_no_better || revised <= few_modes;
 }
 
 ModeNewtonOutcome ModeNewton::run(ContactForm& form,
@@ -169,11 +169,11 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
   while (outcome.factorisations < effort.most_factorisations) {
     ++outcome.factorisations;
     if (!system_.factorise(form, modes, delta_, effort.pivoting)) return outcome;
-    const Outcome found = take_proximal_steps(form, modes, point, effort);
-    outcome.settled = found == Outcome::settled;
-    if (outcome.settled || found == Outcome::stuck) return outcome;
-    if (found == Outcome::slow) delta_ = std::max(delta_fall * delta_, effort.least_delta);
-    if (found == Outcome::moved && !gets_on(modes)) return outcome;
+    const auto [end, revised] = take_proximal_steps(form, modes, point, effort);
+    outcome.settled = end == End::settled;
+    if (outcome.settled || end == End::stuck) return outcome;
+    if (end == End::slow) delta_ = std::max(delta_fall * delta_, effort.least_delta);
+    if (end == End::moved && !gets_on(modes, revised)) return outcome;
     follow_modes(form, modes, point);
   }
   return outcome;

@@ -42,18 +42,21 @@ class ModeNewton {
     int fewest = std::numeric_limits<int>::max();  ///< modes revised at a step
     int no_better = 0;                             ///< steps in a row that revised no fewer
   };
-  enum class Outcome { moved, slow, stuck, settled };
-  Outcome take_proximal_steps(const ContactForm& form,
-                              std::vector<ContactMode>& modes,
-                              ContactPoint& point,
-                              const ModeNewtonEffort& effort);
-  bool gets_on(const std::vector<ContactMode>& modes);
+  enum class End { moved, slow, stuck, settled };
+  struct ProximalSteps {
+    End end = End::stuck;
+    int revised = 0;  ///< modes that moved
+  };
+  ProximalSteps take_proximal_steps(const ContactForm& form,
+                                    std::vector<ContactMode>& modes,
+                                    ContactPoint& point,
+                                    const ModeNewtonEffort& effort);
+  bool gets_on(const std::vector<ContactMode>& modes, int revised);
   void step(const ContactForm& form, ContactPoint& point);
   void find_missing(const ContactForm& form, const ContactPoint& point);
 
   ModeSystem system_;
   double delta_ = 0.0;
-  int revised_ = 0;           ///< modes, at the last step
   std::vector<Pair> centre_;  ///< forces from which compliance counts
   Search search_;
   std::vector<Pair> missing_;  ///< of the rows, compliance included

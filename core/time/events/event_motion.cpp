@@ -31,28 +31,14 @@ constexpr double trusted_share = 0.01;
 constexpr int most_corrections = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double difference_share = 1e-6;
-/// Parts of a step in which the work of friction is booked.
-constexpr int friction_parts = 16;
 /// What is left of bouncing when a contact no longer bounces takes less than this share of L / V.
 constexpr double longest_tail = 0.05;
 
-/// Books what friction takes in a step from `start` at time t, part by part: nothing else takes
-/// energy between events.
+/// Books what friction takes in a step from `start` at time t: nothing else takes energy between events.
 void note_friction(
     const System& system, const State& start, double t, const SmoothStep& step, Bookkeeping& book) {
-  State state = start;
-  double before = energy(system, start);
-  for (int k = 1; k <= friction_parts; ++k) {
-    const double share = static_cast<double>(k) / friction_parts;
-    const double since = t + step.elapsed * (k - 1) / friction_parts;
-    look_at(step.motion, (k - 0.5) / friction_parts * step.elapsed / step.length, state);
-    const double middle = energy(system, state);
-    if (k < friction_parts) look_at(step.motion, share * step.elapsed / step.length, state);
-    const double after = energy(system, k < friction_parts ? state : step.end);
-    book.losses.push_back(
-        {t + share * step.elapsed, before - after, true, since, 0.5 * (before + after) - middle});
-    before = after;
-  }
+  const double taken = energy(system, start) - energy(system, step.end);
+  book.losses.push_back({t + step.elapsed, taken, true, t});
 }
 
 /// Whether a pair, by its names in order, is among those that touch.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/dynamics/solves.h"
+#include "core/time/shown_book.h"
 
 namespace wuerfel::test {
 namespace {
@@ -78,13 +79,24 @@ TEST(Bookkeeping, PartsAddUpAndTheWorstCounts) {
   EXPECT_EQ(a.audit.max_overlap, 2e-10);
 }
 
-TEST(Loss, OfFrictionIsQuadraticWithinItsTime) {
-  // What slows down to rest in 2 s loses s (2 - s) of 8 J up to a share s.
-  const Loss loss{5.0, 8.0, true, 3.0, 2.0};
-  EXPECT_EQ(loss.by(3.0), 0.0);
-  EXPECT_EQ(loss.by(3.5), 8.0 * 0.25 * 1.75);
-  EXPECT_EQ(loss.by(4.0), 6.0);
-  EXPECT_EQ(loss.by(5.0), 8.0);
+TEST(ShownBook, TellsWhatAStepUnderWayHasTakenByWhatIsMissing) {
+  Bookkeeping computed;
+  computed.losses = {
+      {1.0, 5.0, false, 1.0}, {3.0, 6.0, true, 2.0}, {3.0, 2.0, false, 2.5}, {4.0, 9.0, true, 3.0}};
+  ShownBook shown;
+  shown.advance_to(2.75, computed);
+  const auto expect = [&](double missing, double impacts, double friction) {
+    const LostEnergy lost = shown.lost(computed, missing);
+    EXPECT_EQ(lost.impacts, impacts) << missing;
+    EXPECT_EQ(lost.friction, friction) << missing;
+  };
+  EXPECT_TRUE(shown.any_under_way(computed));
+  expect(5.0 + 4.0, 5.0 + 1.0, 3.0);
+  expect(4.0, 5.0, 0.0);  // less than was lost before: a drift, which is not hidden
+  expect(20.0, 7.0, 6.0);
+  shown.advance_to(3.0, computed);
+  EXPECT_FALSE(shown.any_under_way(computed));
+  expect(20.0, 7.0, 6.0);
 }
 
 }  // namespace

@@ -1,0 +1,14 @@
+/// A part of a system: some of its cubes, and everything that is fixed.
+#pragma once
+
+#include <vector>
+
+#include "core/model/system.h"
+
+namespace wuerfel {
+
+/// The system without the cubes that are not named, `cubes` in ascending order. Of its rods those that
+/// join cubes of the part, or a cube of it and a fixed place.
+System part_of(const System& whole, const std::vector<int>& cubes);
+
+}  // namespace wuerfel

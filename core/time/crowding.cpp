@@ -1,0 +1,63 @@
+#include "core/time/crowding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wuerfel {
+namespace {
+
+/// Frames per L / V, events per frame that are too many, and the longest stepping.
+constexpr double frames_per_time = 20.0;
+constexpr long most_events = 25;
+constexpr long most_events_again = 5;  ///< where stepping was needed not long ago
+constexpr long fewest_events = 3;
+/// An event costs as much as the group is large: large groups are given fewer of them.
+constexpr long most_events_and_cubes = 300;
+/// With `--integrator event`: beyond this the motion would not get on.
+constexpr long most_events_ever = 1000;
+constexpr int most_patience = 32;
+
+}  // namespace
+
+void Crowding::begin(double time, double t, int patience) {
+  frame_ = time / frames_per_time;
+  patience_ = patience;
+  step_to(t);
+}
+
+double Crowding::frames_after(double t, double frames) const {
+  return (std::round(t / frame_) + frames) * frame_;
+}
+
+void Crowding::count(double t, long events) {
+  const auto now = static_cast<long>(std::floor(t / frame_));
+  if (now != number_) {
+    former_events_ = now == number_ + 1 ? events_ : 0;
+    events_ = 0;
+    number_ = now;
+  }
+  events_ += events;
+}
+
+bool Crowding::calm() const { return std::max(events_, former_events_) <= affordable(); }
+
+long Crowding::affordable() const {
+  if (only_events_) return most_events_ever;
+  return std::clamp(most_events_and_cubes / std::max(1, cubes_), fewest_events,
+                    patience_ > 1 ? most_events_again : most_events);
+}
+
+double Crowding::step_from(double t) {
+  // Soon after the last time: longer. After a long time without: as at first.
+  if (t - stepped_to_ > most_patience * frame_) patience_ = 1;
+  const double until = (std::floor(t / frame_) + 1.0 + patience_) * frame_;
+  patience_ = std::min(2 * patience_, most_patience);
+  return until;
+}
+
+void Crowding::step_to(double t) {
+  stepped_to_ = t;
+  events_ = former_events_ = 0;
+}
+
+}  // namespace wuerfel
