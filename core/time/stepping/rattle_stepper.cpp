@@ -101,12 +101,13 @@ void RattleStepper::arrive(Step& step, double t) {
   const State unsettled = step.state;
   step.rise = settle_energy(*system_, stride_, sways, record, step.state);
   settle(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
+  Loss impacts{t + stride_.h, 0.0, false, t};
+  Loss friction{t + stride_.h, 0.0, true, t};
   for (const StepComponent& part : record.components) {
     for (const StepLoss& loss : part.losses)
-      step.book.losses.push_back(
-          {t + loss.end * stride_.h, loss.energy, loss.friction, t + loss.begin * stride_.h});
+      (loss.friction ? friction : impacts).energy += loss.energy;
   }
-  std::ranges::stable_sort(step.book.losses, {}, &Loss::t);
+  step.book.losses = {impacts, friction};
   step.record = std::make_shared<const StepRecord>(std::move(record));
 }
 
