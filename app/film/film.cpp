@@ -1,8 +1,7 @@
 #include "app/film/film.h"
 
-#include <utility>
-
 #include <malloc.h>
+#include <utility>
 
 #include <fmt/core.h>
 

@@ -187,24 +187,6 @@ struct FastestCorner {
   }
 };
 
-/// The corner of `on` that is deepest below a side of `from`.
-Contact deepest_corner_at(std::span<const Box> boxes, int from, int on, int side) {
-  const Box& a = boxes[from];
-  const Box& b = boxes[on];
-  return deepest_corner({from, on, side, 0.0}, a, b,
-                        incident_corners(a, side, b, std::numeric_limits<double>::max()));
-}
-
-void take_larger(const FacingSide& side, FacingSide& largest) {
-  if (side.separation > largest.separation) largest = side;
-}
-
-/// The share of a way at which a gap closes; -1 where it does not.
-double closing_time(double before, double after) {
-  const double open = std::max(before, 0.0);
-  return after < 0.0 ? open / (open - after) : -1.0;
-}
-
 }  // namespace
 
 Contact corner_on_side(int on, const Box& b, int k, int from, const Box& a, int e) {
@@ -260,6 +242,13 @@ double add_touching_contacts(const System& system,
   return sides.largest;
 }
 
+Contact deepest_corner_at(std::span<const Box> boxes, int from, int on, int side) {
+  const Box& a = boxes[from];
+  const Box& b = boxes[on];
+  return deepest_corner({from, on, side, 0.0}, a, b,
+                        incident_corners(a, side, b, std::numeric_limits<double>::max()));
+}
+
 Contact nearest_corner(std::span<const Box> boxes, int i, int j) {
   const Candidates sides = separating_sides(boxes, i, j, std::numeric_limits<double>::max());
   FacingSide best = sides.list[0];
@@ -275,44 +264,6 @@ bool is_covered(const System& system, const Contact& c) {
   const Body& from = system.body(c.from);
   return (on.cover && on.cover->covers_corner(c.corner))
          || (from.cover && from.cover->covers(c.side, c.alpha));
-}
-
-FacingSide separating_side(const System& system, const Way& way, double slow, int i, int j) {
-  // What has closed by rounding at the start has not closed yet.
-  const double zero =
-      touching_tolerance * std::min(way.start[i].smaller_side(), way.start[j].smaller_side());
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  FacingSide best{i, j, 0, none};
-  FacingSide deepest = best;
-  FacingSide carried = best;
-  FacingSide meeting;
-  double latest = -1.0;
-  const bool covers = system.body(i).cover || system.body(j).cover;
-  const auto look_at = [&](int from, int on, int side) {
-    if (covers && is_covered(system, deepest_corner_at(way.end, from, on, side))) return;
-    const double before = side_separation(way.start[from], side, way.start[on]);
-    const double after = side_separation(way.end[from], side, way.end[on]);
-    take_larger({from, on, side, std::min(before, after)}, best);
-    take_larger({from, on, side, before}, deepest);
-    if (before < -zero) return;
-    const double drifted = side_separation(way.drift[from], side, way.drift[on]);
-    take_larger({from, on, side, std::min(before, drifted)}, carried);
-    const double when = closing_time(before, after);
-    if (when <= latest) return;
-    latest = when;
-    meeting = {from, on, side, after};
-  };
-  for (int side = 0; side < Box::corners; ++side)
-    look_at(i, j, side);
-  for (int side = 0; side < Box::corners; ++side)
-    look_at(j, i, side);
-  if (best.separation >= 0.0) return best;
-  if (carried.separation >= -slow) {
-    carried.separation = side_separation(way.end[carried.from], carried.side, way.end[carried.on]);
-    return carried;
-  }
-  if (latest >= 0.0) return meeting;
-  return {deepest.from, deepest.on, deepest.side, best.separation};
 }
 
 void add_near_contacts(std::span<const Box> boxes,

@@ -22,6 +22,9 @@ double add_touching_contacts(const System& system,
                              std::vector<Contact>& contacts,
                              std::vector<Touch>& touches);
 
+/// The corner of `on` that is deepest below a side of `from`.
+Contact deepest_corner_at(std::span<const Box> boxes, int from, int on, int side);
+
 /// The corner and the side that separate two boxes best: where the gap between them is measured,
 /// touching or not.
 Contact nearest_corner(std::span<const Box> boxes, int i, int j);

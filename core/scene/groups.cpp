@@ -31,8 +31,7 @@ void add_names(BodyNames& names,
 
 void Groups::add(Group group) {
   auto& owner = owner_[static_cast<std::size_t>(group.kind)];
-  owner.insert(owner.end(), static_cast<std::size_t>(group.count),
-               static_cast<int>(groups_.size()));
+  owner.insert(owner.end(), group.count, static_cast<int>(groups_.size()));
   groups_.push_back(std::move(group));
 }
 

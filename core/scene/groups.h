@@ -36,11 +36,9 @@ class Groups {
   void add(Group group);
   [[nodiscard]] const std::vector<Group>& all() const { return groups_; }
   [[nodiscard]] int index_of(const BodyRef& body) const {
-    return owner_[static_cast<std::size_t>(body.kind)][static_cast<std::size_t>(body.index)];
+    return owner_[static_cast<std::size_t>(body.kind)][body.index];
   }
-  [[nodiscard]] const Group& of(const BodyRef& body) const {
-    return groups_[static_cast<std::size_t>(index_of(body))];
-  }
+  [[nodiscard]] const Group& of(const BodyRef& body) const { return groups_[index_of(body)]; }
 
  private:
   std::vector<Group> groups_;

@@ -141,7 +141,7 @@ constexpr double few_digits = 16.0;
 
 /// The largest coordinate of a body, m.
 double farthest(const Scene& scene, const BodyRef& body) {
-  const auto i = static_cast<std::size_t>(body.index);
+  const int i = body.index;
   const Vec2& place = body.kind == BodyKind::plane   ? scene.planes[i].point
                       : body.kind == BodyKind::fixed ? scene.fixed[i].position
                                                      : scene.cubes[i].position;
@@ -151,7 +151,7 @@ double farthest(const Scene& scene, const BodyRef& body) {
 }  // namespace
 
 const std::string& body_name(const Scene& scene, const BodyRef& body) {
-  const auto i = static_cast<std::size_t>(body.index);
+  const int i = body.index;
   if (body.kind == BodyKind::plane) return scene.planes[i].name;
   if (body.kind == BodyKind::fixed) return scene.fixed[i].name;
   return body.kind == BodyKind::cube ? scene.cubes[i].name : scene.points[i].name;

@@ -104,7 +104,7 @@ class Override {
       names.push_back(element_name((*items)[i], kind, i));
     }
     const auto named = std::find(names.begin(), names.end(), name);
-    auto found = static_cast<std::size_t>(named - names.begin());
+    std::size_t found = named - names.begin();
     if (named == names.end()) {
       std::size_t number = 0;
       const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);

@@ -75,13 +75,12 @@ class Placement {
     if (placed.placed_by != PlacedBy::standing) return;
     const Frame frame = frame_of(placed);
     for (int i = placed.first; i < placed.first + placed.count; ++i) {
-      const auto index = static_cast<std::size_t>(i);
       if (placed.kind == BodyKind::cube) {
-        SceneCube& cube = scene_.cubes[index];
+        SceneCube& cube = scene_.cubes[i];
         cube.position = frame.point(cube.position);
         cube.angle += frame.angle;
       } else {
-        SceneFixed& fixed = scene_.fixed[index];
+        SceneFixed& fixed = scene_.fixed[i];
         fixed.position = frame.point(fixed.position);
         fixed.angle += frame.angle;
       }
@@ -96,13 +95,12 @@ class Placement {
       return frame;
     }
     const BodyRef body = names_.at(*standing.on);
-    const auto index = static_cast<std::size_t>(body.index);
-    if (body.kind == BodyKind::plane) return frame_on(scene_.planes[index], standing.offset);
+    if (body.kind == BodyKind::plane) return frame_on(scene_.planes[body.index], standing.offset);
     if (body.kind == BodyKind::fixed) {
-      const SceneFixed& box = scene_.fixed[index];
+      const SceneFixed& box = scene_.fixed[body.index];
       return frame_on_box(box.position, box.angle, box.size, standing.offset);
     }
-    const SceneCube& box = scene_.cubes[index];
+    const SceneCube& box = scene_.cubes[body.index];
     return frame_on_box(box.position, box.angle, box.size, standing.offset);
   }
 

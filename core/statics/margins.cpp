@@ -6,6 +6,7 @@
 #include "core/statics/generators.h"
 #include "core/statics/loads.h"
 #include "core/statics/move_margins.h"
+#include "core/statics/part_motions.h"
 #include "core/statics/parts.h"
 
 namespace wuerfel {

@@ -7,146 +7,13 @@
 #include "core/dynamics/momentum.h"
 #include "core/statics/limit_motion.h"
 #include "core/statics/margins.h"
+#include "core/statics/move_search.h"
 
 namespace wuerfel {
 namespace {
 
-/// Ends are bracketed to this share of the smaller side.
-constexpr double bracketed = 1e-9;
-constexpr double seen_to_fall = 1e-7;
-/// Likewise, where the motion behind an end is looked at to find that end exactly.
-constexpr double seen_to_move = 1e-5;
-constexpr int most_looks = 80;
 /// Of a way, as a share of the side.
 constexpr double rounding = 1e-15;
-
-/// Looks at moved scenes, and finds where they change.
-class MoveSearch {
- public:
-  MoveSearch(const StillScene& still, const MotionSettings& settings, const CarriedGroup& group)
-      : still_(still), settings_(settings), group_(group) {
-    side_ = unbounded;
-    for (const int cube : group.cubes) {
-      const Body& body = still.system.body(cube);
-      if (body.kind == BodyKind::cube) side_ = std::min(side_, body.smaller_side());
-    }
-  }
-
-  [[nodiscard]] MovedScene at(double s) const { return move(still_, settings_, group_, s); }
-  [[nodiscard]] bool stands(double s) const { return at(s).verdict == Verdict::stands; }
-  [[nodiscard]] double side() const { return side_; }
-
-  /// Whether the scene stands up to a place, as looks in between tell, and not beyond. On the edge itself
-  /// rounding decides, and just behind it high parts move too slowly to be seen.
-  [[nodiscard]] bool changes_at(double s, double sense) const {
-    if (!std::isfinite(s) || s == 0.0) return false;
-    return stands(s - sense * bracketed * side_) && !stands(s + sense * seen_to_fall * side_)
-           && stands(0.5 * s);
-  }
-
-  /// The last place where a scene stands, and how exactly it is known.
-  struct End {
-    double s = 0.0;
-    double error = 0.0;
-  };
-
-  /// Between a place where the scene stands and one where it does not.
-  [[nodiscard]] End end(double in, double out) const {
-    const double s = edge(in, out);
-    const double step = std::copysign(side_, out - in);
-    const double behind = s + seen_to_move * step;
-    const std::optional<double> exact =
-        at(behind).overlaps
-            ? end_of_room(still_, settings_, group_, behind, s + 2.0 * seen_to_move * step)
-            : end_of_rest(still_, settings_, group_, s, behind);
-    if (exact && std::abs(*exact - s) <= seen_to_fall * side_ && stands(*exact)) return {*exact};
-    // The last place on a face that is left: on its end itself nothing holds.
-    constexpr double brackets = 4.0;
-    if (const auto touch = end_of_touch(still_, group_, s, brackets * bracketed * side_))
-      return {*touch};
-    return {s, bracketed * side_};
-  }
-
-  /// The same by looks alone.
-  [[nodiscard]] double edge(double in, double out) const {
-    double before = out;  // the last place outside but one
-    double unrest_before = 0.0;
-    MovedScene there = at(out);
-    for (int k = 0; k < most_looks && std::abs(out - in) > bracketed * side_; ++k) {
-      const double s = guess(in, out, there, before, unrest_before, k);
-      const MovedScene now = at(s);
-      if (now.verdict == Verdict::stands) {
-        in = s;
-        // A step on, to see whether that was it.
-        const double on = s + std::copysign(bracketed * side_, out - in);
-        if (std::abs(out - in) > bracketed * side_ && !stands(on)) return in;
-        continue;
-      }
-      before = out;
-      unrest_before = there.unrest;
-      out = s;
-      there = now;
-    }
-    return in;
-  }
-
-  /// Outwards from a place where the scene stands, to the right (+1) or to the left: the last place
-  /// before the first change; infinite where none is found beyond all bodies.
-  [[nodiscard]] End first_change(double from, double sense) const {
-    constexpr int even_steps = 8;
-    const double far = extent() + std::abs(from);
-    double in = from;
-    double step = 0.25 * side_;
-    for (int k = 0; std::abs(in) <= far; ++k) {
-      const double out = in + sense * step;
-      if (!stands(out)) return end(in, out);
-      in = out;
-      if (k >= even_steps) step *= 2.0;
-    }
-    return {sense * unbounded};
-  }
-
- private:
-  /// Where the motion begins, as two places outside tell; the end of an overlap; or the middle.
-  [[nodiscard]] double guess(double in,
-                             double out,
-                             const MovedScene& there,
-                             double before,
-                             double unrest_before,
-                             int k) const {
-    const double middle = 0.5 * (in + out);
-    constexpr int in_turn = 4;
-    if (k % in_turn == in_turn - 1) return middle;
-    double s = middle;
-    if (there.overlaps) {
-      s = out - std::copysign(there.unrest, out - in);
-    } else if (before != out && unrest_before != there.unrest) {
-      s = out - there.unrest * (before - out) / (unrest_before - there.unrest);
-    }
-    const bool inside = (s - in) * (out - s) > 0.0;
-    return inside ? s : middle;
-  }
-
-  /// The length of the scene along the way, m.
-  [[nodiscard]] double extent() const {
-    double low = unbounded;
-    double high = -unbounded;
-    std::vector<Box> boxes;
-    pose_boxes(still_.system, still_.state, boxes);
-    for (int i = 0; i < still_.system.count(); ++i) {
-      if (still_.system.body(i).kind == BodyKind::plane) continue;
-      const double at = group_.along.dot(boxes[i].center);
-      low = std::min(low, at - boxes[i].radius());
-      high = std::max(high, at + boxes[i].radius());
-    }
-    return high - low;
-  }
-
-  const StillScene& still_;
-  const MotionSettings& settings_;
-  const CarriedGroup& group_;
-  double side_ = 0.0;
-};
 
 /// Whether the group is all there is beside planes: it can be moved as far as one likes.
 bool is_alone(const StillScene& still, const CarriedGroup& group) {
@@ -270,7 +137,7 @@ LoadRange MoveMargins::range_of(int cube, const CarriedGroup& group) {
     if (!mended) return no_load;
     const MoveSearch::End beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);
     return {std::min(*mended, beyond.s), std::max(*mended, beyond.s),
-            std::max(beyond.error, bracketed * search.side())};
+            std::max(beyond.error, MoveSearch::bracketed * search.side())};
   }
   const auto end = [&](double sense) -> MoveSearch::End {
     for (const double expected : {expected_change(group, sense), end_of_faces(group, sense)})

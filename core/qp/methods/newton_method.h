@@ -74,6 +74,10 @@ class NewtonMethod {
     bool hopeless = false;    ///< too many rows were guessed wrong
   };
 
+  /// The multiplier of a row that is not active.
+  static double bound_of(const LeastDistance& problem, int row, signed char side) {
+    return side < 0 ? problem.force_min()[row] : problem.force_max()[row];
+  }
   void start(const LeastDistance& problem);
   void guess_sides(const LeastDistance& problem);
   void choose_penalty(const LeastDistance& problem);

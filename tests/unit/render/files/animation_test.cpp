@@ -17,6 +17,7 @@
 #include "render/error.h"
 #include "render/files/child_process.h"
 #include "render/files/png.h"
+#include "tests/support/own_folder.h"
 
 namespace wuerfel::internal {
 namespace {
@@ -39,21 +40,15 @@ std::string bytes_of(const std::string& path) {
   return bytes.str();
 }
 
-class Film : public ::testing::Test {
+class Film : public test::OwnFolder {
  protected:
   void SetUp() override {
-    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::temp_directory_path()
-             / ("wuerfel-" + std::to_string(getpid()) + test->name());
-    std::filesystem::create_directories(folder);
+    OwnFolder::SetUp();
     settings.width = 64;
     settings.height = 48;
     settings.fps = 25.0;
     settings.palette = animation_palette(make_style(Theme::light));
   }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-
-  std::string path(const std::string& name) const { return (folder / name).string(); }
   bool folder_is_empty() const { return std::filesystem::is_empty(folder); }
 
   /// A white picture in which a red bar moves to the right; half of it transparent where that is
@@ -88,7 +83,6 @@ class Film : public ::testing::Test {
     return read_png(picture).image;
   }
 
-  std::filesystem::path folder;
   AnimationSettings settings;
 };
 

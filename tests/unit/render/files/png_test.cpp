@@ -17,6 +17,7 @@
 #include "render/error.h"
 #include "render/files/output_file.h"
 #include "render/files/png_chunks.h"
+#include "tests/support/own_folder.h"
 
 namespace wuerfel::internal {
 namespace {
@@ -35,19 +36,9 @@ Image gradient(int width, int height, bool opaque) {
   return image;
 }
 
-/// An empty folder of its own for each test, removed afterwards.
-class PngFiles : public ::testing::Test {
+class PngFiles : public test::OwnFolder {
  protected:
-  void SetUp() override {
-    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::temp_directory_path()
-             / ("wuerfel-" + std::to_string(getpid()) + test->name());
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
   bool empty() const { return std::filesystem::is_empty(folder); }
-  std::filesystem::path folder;
 };
 
 TEST(Png, OpaquePictureComesBackPixelByPixel) {

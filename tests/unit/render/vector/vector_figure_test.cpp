@@ -16,21 +16,13 @@
 #include "render/raster/compare.h"
 #include "render/raster/renderer.h"
 #include "tests/support/image_scenes.h"
+#include "tests/support/own_folder.h"
 
 namespace wuerfel {
 namespace {
 
-class VectorFigure : public ::testing::Test {
+class VectorFigure : public test::OwnFolder {
  protected:
-  void SetUp() override {
-    const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder = std::filesystem::temp_directory_path()
-             / ("wuerfel-" + std::to_string(getpid()) + test->name());
-    std::filesystem::create_directories(folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  std::string path(const std::string& name) const { return (folder / name).string(); }
-
   DrawList compose(Theme theme, Layers layers) {
     const bool sides = layers.has(Layer::sides);
     const Snapshot snapshot = sides ? test::two_cubes_snapshot() : test::pyramid_snapshot();
