@@ -170,8 +170,6 @@ const Bookkeeping& IslandMotion::book() {
                                             + uneven_share * under_way
                                       : budget_ * (1.0 + time_ / scales_.time);
   shown_.audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
-  // What rods to fixed places take or give is not booked: no promise.
-  if (std::ranges::any_of(system_->rods, is_held)) shown_.audit.momentum_budget = forever;
   shown_.breaches = computed_.breaches;
   return shown_;
 }
