@@ -93,6 +93,8 @@ class Resume(ProgramTest):
             self.assertEqual(self.outputs(*left), {name: whole[name] for name in left})
             self.run_through(*pictures, *checkpoints, "--resume", "c.bin")
             self.assertEqual(self.outputs(*results), whole)
+            # Nor does anything stay that was half written.
+            self.assertEqual([name for name in self.files() + self.files("f") if ".part" in name], [])
         print(f"{KILLS} kills, {alive} of them before the end, {drawing} after the first frame", file=sys.stderr)
         self.assertGreater(alive, 0)
 
