@@ -17,7 +17,7 @@ CROWD = {"version": 1, "title": "crowd", "duration": 2.0, "plane": [FLOOR],
 KILLS = int(os.environ.get("KILLS", "3"))
 LOOKS = ("--fps", "20", "--states", "s.csv", "--forces", "f.csv", "--events", "e.jsonl", "--sample", "0.31,1.7", "--quiet")
 # By steps of one length the same work is done soon.
-STEPS = ("--integrator", "moreau", "--step", "0.0003", "--set", "pile.pile1.count=12")
+STEPS = ("--integrator", "moreau", "--step", "0.0003", "--set", "pile.pile1.count=11")
 
 
 class Resume(ProgramTest):
