@@ -16,14 +16,14 @@ namespace {
 
 using Text = std::string;
 
-CLI::Option* add_value(
-    CLI::App& app, const Text& names, const Text& type, const Text& meaning, Options::Take take) {
+CLI::Option* add_value(CLI::App& app,
+                       const Text& names,
+                       const Text& type,
+                       const Text& meaning,
+                       const Options::Take& take) {
   return app
       .add_option_function<std::vector<Text>>(
-          names,
-          [take = std::move(take)](const std::vector<Text>& values) {
-            std::ranges::for_each(values, take);
-          },
+          names, [take](const std::vector<Text>& values) { std::ranges::for_each(values, take); },
           meaning)
       ->type_name(type)
       ->allow_extra_args(false);
@@ -52,11 +52,11 @@ void Options::arguments(const Text& name, const Text& meaning, std::vector<Text>
 }
 
 void Options::value(const Text& names, const Text& type, const Text& meaning, Take take) {
-  add_value(*app_, names, type, meaning, std::move(take));
+  add_value(*app_, names, type, meaning, take);
 }
 
 void Options::single(const Text& names, const Text& type, const Text& meaning, Take take) {
-  add_value(*app_, names, type, meaning, std::move(take))->expected(1);
+  add_value(*app_, names, type, meaning, take)->expected(1);
 }
 
 void Options::text(const Text& names, const Text& type, const Text& meaning, Text& value) {

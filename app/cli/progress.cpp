@@ -35,6 +35,15 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
+bool LogSchedule::due(double share, double elapsed) {
+  const int tenth = static_cast<int>(10.0 * share + 1e-9);
+  if ((tenth <= last_tenth_ && elapsed < next_line_) || elapsed < patience) return false;
+  last_tenth_ = std::max(last_tenth_, tenth);
+  while (next_line_ <= elapsed)
+    next_line_ *= line_growth;
+  return true;
+}
+
 Progress::Style Progress::style_for_stderr(bool quiet) {
   if (quiet) return Style::silent;
   if (isatty(STDERR_FILENO) == 0 || environment("TERM") == "dumb") return Style::lines;
@@ -59,13 +68,7 @@ void Progress::reached(double done) {
     if (due || done >= total_) draw_bar(done);
     return;
   }
-  const int tenth = static_cast<int>(10.0 * done / total_ + 1e-9);
-  const double elapsed = watch_.wall();
-  if ((tenth <= last_tenth_ && elapsed < next_line_) || elapsed < patience) return;
-  last_tenth_ = std::max(last_tenth_, tenth);
-  while (next_line_ <= elapsed)
-    next_line_ *= line_growth;
-  say(text(done) + "\n");
+  if (schedule_.due(done / total_, watch_.wall())) say(text(done) + "\n");
 }
 
 std::string Progress::text(double done) const {

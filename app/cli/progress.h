@@ -7,8 +7,19 @@
 
 namespace wuerfel {
 
-/// A bar on a terminal, one line per 10 % elsewhere (where it takes longer than a second), and more
-/// and more seldom where even that takes long; nothing where quiet is asked for.
+/// When a log gets a line of a long job: once per tenth of it, and at 10 s, 40 s, 160 s .. where a
+/// tenth takes longer. Nothing is told of what is over within a second.
+class LogSchedule {
+ public:
+  /// Whether a line is due where `share` of the job, 0 to 1, took `elapsed` s; it counts as written.
+  bool due(double share, double elapsed);
+
+ private:
+  int last_tenth_ = 0;
+  double next_line_ = 10.0;  // s
+};
+
+/// A bar on a terminal, lines by LogSchedule elsewhere; nothing where quiet is asked for.
 class Progress {
  public:
   enum class Style { silent, lines, bar, coloured_bar };
@@ -37,8 +48,7 @@ class Progress {
   std::string unit_;
   Stopwatch watch_;
   double last_drawn_ = -1.0;  // s on the watch
-  int last_tenth_ = 0;
-  double next_line_ = 10.0;  // s on the watch
+  LogSchedule schedule_;
 };
 
 }  // namespace wuerfel

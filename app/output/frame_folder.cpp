@@ -39,8 +39,11 @@ FrameFolder::~FrameFolder() {
 
 void FrameFolder::add(std::span<const std::uint8_t> png) {
   // Frames of an earlier run would pass for later ones of this one, should it be interrupted.
-  if (count_ == 0) finish();
-  OutputFile file((folder_ / frame_name(count_)).string());
+  if (count_ == 0) {
+    finish();
+    remove_left_behind(folder_, "frame_");
+  }
+  OutputFile file((folder_ / frame_name(count_)).string(), true);
   file.write(png);
   file.commit();
   ++count_;

@@ -39,11 +39,13 @@ double IslandSolution::least_pressing() const { return pressing_share * largest_
 IslandDynamics::IslandDynamics(const System& system,
                                const MotionSettings& settings,
                                const ProgramTolerances& tolerances)
-    : system_(&system), settings_(settings), builder_(system, settings.formulation) {
+    : system_(&system),
+      settings_(settings),
+      builder_(system, settings.formulation),
+      impacts_{few_struck_cubes, {tolerances.impact}, {}},
+      corrections_{few_displaced_cubes, {tolerances.correction}, {}},
+      placements_{few_displaced_cubes, {tolerances.placement}, {}} {
   accelerations_.settings.by_block = true;
-  impacts_ = {few_struck_cubes, {tolerances.impact}, {}};
-  corrections_ = {few_displaced_cubes, {tolerances.correction}, {}};
-  placements_ = {few_displaced_cubes, {tolerances.placement}, {}};
 }
 
 bool IslandDynamics::still_passes(Memory& memory, double tolerance) const {

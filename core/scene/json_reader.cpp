@@ -55,6 +55,7 @@ class TreeBuilder : public nlohmann::json_sax<json> {
     }
     source_.fail(place_at(text_, position > 0 ? position - 1 : 0), "",
                  "not valid JSON: " + message);
+    return false;  // never: fail throws
   }
 
  private:

@@ -101,8 +101,6 @@ const Bookkeeping& IslandMotion::book() {
   audit.drift_budget =
       stepped ? drift_.of_steps(lost.impacts + lost.friction) : drift_.of_events(time_);
   audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
-  // What rods to fixed places take or give is not booked: no promise.
-  if (std::ranges::any_of(system_->rods, is_held)) audit.momentum_budget = forever;
   return book;
 }
 

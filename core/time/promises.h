@@ -19,6 +19,8 @@ inline constexpr double promised_friction = 1e-6;
 /// Share by which momenta may change without a reason, and the same where steps were taken.
 inline constexpr double promised_momentum = 1e-5;
 inline constexpr double promised_momentum_of_steps = 1e-4;
+/// And where steps are of the first order: moving bodies out of overlap turns momenta about the centre.
+inline constexpr double promised_momentum_of_first_order = 1e-2;
 
 /// The promises that an audit of a stretch of the motion shows as broken, the gravest first.
 std::vector<Promise> broken_promises(const Audit& audit);

@@ -2,10 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace wuerfel {
+
+/// Removes what programs that were killed have left in a folder: temporary files of outputs whose names
+/// begin so and that no living program writes.
+void remove_left_behind(const std::filesystem::path& folder, std::string_view beginning);
 
 /// Writes under a temporary name beside `path`; `commit` gives it its name, and without that the
 /// destructor removes it. The temporary name keeps the suffix, by which other programs tell the
@@ -13,8 +19,9 @@ namespace wuerfel {
 /// folders are made.
 class OutputFile {
  public:
-  /// Throws OutputError where the folder cannot be made or written.
-  explicit OutputFile(std::string path);
+  /// Throws OutputError where the folder cannot be made or written. What killed programs have left of a
+  /// file of this name is removed; of one of many (frames) that is left to who knows them all.
+  explicit OutputFile(std::string path, bool one_of_many = false);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -32,6 +39,7 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
+  bool make(const std::filesystem::path& target);
   std::string path_;
   std::string temporary_;
   int descriptor_ = -1;

@@ -5,6 +5,7 @@ import os
 import random
 import signal
 import subprocess
+import sys
 import time
 
 from program import FLOOR, PROGRAM, ProgramTest, main
@@ -16,7 +17,7 @@ CROWD = {"version": 1, "title": "crowd", "duration": 2.0, "plane": [FLOOR],
 KILLS = int(os.environ.get("KILLS", "3"))
 LOOKS = ("--fps", "20", "--states", "s.csv", "--forces", "f.csv", "--events", "e.jsonl", "--sample", "0.31,1.7", "--quiet")
 # By steps of one length the same work is done soon.
-STEPS = ("--integrator", "moreau", "--step", "0.0003", "--set", "pile.pile1.count=12")
+STEPS = ("--integrator", "moreau", "--step", "0.0003", "--set", "pile.pile1.count=11")
 
 
 class Resume(ProgramTest):
@@ -36,10 +37,13 @@ class Resume(ProgramTest):
         summary.pop("cost")
         return summary, self.outputs("s.csv", "f.csv", "e.jsonl")
 
-    def stopped(self, number, after, *arguments):
-        """Runs until a checkpoint is there and so long beyond, then sends the signal."""
+    def frames_there(self):
+        return len([name for name in self.files("f") if name.startswith("frame_")]) if os.path.exists(self.path("f")) else 0
+
+    def stopped(self, number, after, *arguments, frames=0):
+        """Runs until a checkpoint and so many frames are there and so long beyond, then sends the signal."""
         process = subprocess.Popen([PROGRAM, "run", self.crowd, *LOOKS, *arguments], cwd=self.folder, stderr=subprocess.DEVNULL)
-        while process.poll() is None and not os.path.exists(self.path("c.bin")):
+        while process.poll() is None and not (os.path.exists(self.path("c.bin")) and self.frames_there() >= frames):
             time.sleep(0.002)
         time.sleep(after)
         process.send_signal(number)
@@ -67,21 +71,32 @@ class Resume(ProgramTest):
             os.remove(self.path("c.bin"))
 
     def test_frames_and_films_are_those_of_a_run_in_one_go(self):
+        """Killed while it simulates, draws, encodes and writes: at any time, or when some number of frames is there."""
         pictures = ("-o", "f/", "-o", "f.apng", "--size", "160x90", *STEPS)
+        checkpoints = ("--checkpoint", "c.bin", "--every", "0.1")
         frames = [f"f/frame_{k:06}.png" for k in range(41)]
-        self.run_through(*pictures)
-        whole = self.outputs("f.apng", *frames)
-        shuffle = random.Random(5)
-        for _ in range(KILLS):
-            for name in ("f.apng", *frames):
+        results = ("f.apng", "s.csv", "f.csv", "e.jsonl", *frames)
+        begin = time.monotonic()
+        self.run_through(*pictures, *checkpoints)
+        length = time.monotonic() - begin
+        whole = self.outputs(*results)
+        shuffle = random.Random(KILLS)
+        alive, drawing = 0, 0
+        for kill in range(KILLS):
+            for name in (*results, "c.bin"):
                 os.remove(self.path(name))
-            self.stopped(signal.SIGKILL, shuffle.uniform(0.0, 0.6), *pictures, "--checkpoint", "c.bin", "--every", "0.1")
-            for name in os.listdir(self.path("f")):
-                if name.startswith("frame_"):
-                    self.assertEqual(self.outputs("f/" + name)["f/" + name], whole["f/" + name])
-            self.run_through(*pictures, "--resume", "c.bin")
-            self.assertEqual(self.outputs("f.apng", *frames), whole)
-            os.remove(self.path("c.bin"))
+            wanted, after = (shuffle.randint(1, 41), 0.02) if kill % 2 else (0, length)
+            code = self.stopped(signal.SIGKILL, shuffle.uniform(0.0, after), *pictures, *checkpoints, frames=wanted)
+            alive += code == -signal.SIGKILL
+            drawing += code == -signal.SIGKILL and self.frames_there() > 0
+            left = [name for name in results if os.path.exists(self.path(name))]
+            self.assertEqual(self.outputs(*left), {name: whole[name] for name in left})
+            self.run_through(*pictures, *checkpoints, "--resume", "c.bin")
+            self.assertEqual(self.outputs(*results), whole)
+            # Nor does anything stay that was half written.
+            self.assertEqual([name for name in self.files() + self.files("f") if ".part" in name], [])
+        print(f"{KILLS} kills, {alive} of them before the end, {drawing} after the first frame", file=sys.stderr)
+        self.assertGreater(alive, 0)
 
     def test_what_does_not_belong_is_refused(self):
         self.expect(0, "run", self.crowd, *LOOKS, *STEPS, "--checkpoint", "c.bin", "--every", "0.5")

@@ -1,4 +1,5 @@
 """What goes wrong around the program: disks, streams, ffmpeg, other people's files, work without end."""
+import fcntl
 import json
 import os
 import signal
@@ -108,6 +109,18 @@ class Names(ProgramTest):
         subprocess.run(["sh", "-c", shell], cwd=self.folder, check=True)
         self.assertEqual(self.content("victim"), "mine")
         self.assertFalse(os.path.islink(self.path("s.csv")))
+
+    def test_what_killed_programs_left_is_removed_and_nothing_else(self):
+        os.mkdir(self.path("f"))
+        dead = (".s.0123456789abcdef.part.csv", "f/.frame_000007.0123456789abcdef.part.png")
+        others = (".s.mine.part.csv", ".t.0123456789abcdef.part.csv", "f/.mine.0123456789abcdef.part.png", ".s.fedcba9876543210.part.csv")
+        for name in dead + others:
+            with open(self.path(name), "w"):
+                pass
+        with open(self.path(".s.fedcba9876543210.part.csv"), "a") as living:
+            fcntl.flock(living, fcntl.LOCK_EX)
+            self.expect(0, "run", self.scene(FLYING), "--until", "0.1", "--states", "s.csv", "-o", "f/", "--size", "64x64")
+        self.assertEqual([name for name in dead + others if os.path.exists(self.path(name))], list(others))
 
     def test_a_comma_locale_changes_nothing(self):
         for locale in ("de_DE.UTF-8", "C", "C.UTF-8"):

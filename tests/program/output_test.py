@@ -160,7 +160,7 @@ class Unwritable(ProgramTest):
         for arguments in (("-o", "file/frames/"), ("-o", "file/f.mp4"), ("--states", "file/s.csv"),
                           ("--summary", "file/s.json"), ("--events", "file/e"), ("--forces", ".")):
             with self.subTest(arguments):
-                done = self.expect(5, "run", scene, "--until", "100000", *arguments, timeout=20)
+                done = self.expect(5, "run", scene, "--until", "10000", *arguments, timeout=60)
                 self.assertTrue(done.stderr.strip())
         self.assertEqual(self.files(), ["file", "scene.json"])
         self.expect(5, "figure", scene, "-o", "file/f.png")

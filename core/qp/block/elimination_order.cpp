@@ -27,7 +27,7 @@ void order_few(int blocks,
       near[b] |= std::uint64_t{1} << neighbour[e];
   }
   while (left != 0) {
-    int best = -1;
+    int best = std::countr_zero(left);
     int least = blocks + 1;
     for (std::uint64_t rest = left; rest != 0; rest &= rest - 1) {
       const int b = std::countr_zero(rest);

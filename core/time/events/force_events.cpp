@@ -166,6 +166,7 @@ std::optional<ForceEvents::First> ForceEvents::first_opening(SmoothPhase& phase,
     negative = negative || is_negative(k);
   if (!negative) return {};
   ClosedInStep closed{phase, opening_share * gravity, work};
+  // cppcheck-suppress danglingTemporaryLifetime ; the product is kept as a value
   const FirstZero found = first_zero(closed, until, Arming{});
   if (!found.share) return {};
   return First{*found.share, {}, {}};

@@ -32,6 +32,9 @@ void ActiveRestrictions::find(GridPoint& point, Bookkeeping& book) {
   std::ranges::sort(lasting);
   for (const Island& island : point.islands) {
     if (point.rests(island)) continue;
+    // Who rested is awake where somebody came to it.
+    for (const int cube : island.cubes)
+      point.resting[cube] = 0;
     // (3) must hold where (2) = 0: an impact.
     const bool struck = closes(*system_, point.state, island);
     if (struck) strike(point, island, lasting, book);

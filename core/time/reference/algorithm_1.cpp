@@ -37,7 +37,7 @@ void Algorithm1::step(GridPoint& point, double dt, Bookkeeping& book) {
   // v_{i+1} := v_i + a_i dt,  p_{i+1} := p_i + v_i dt
   integrate(point, dt);
   // Eventuell Längenkorrektur
-  correction_.correct(point.state, pressed, book);
+  point.push += correction_.correct(point.state, pressed, book);
   point.t += dt;
   restrictions_.find(point, book);
 }

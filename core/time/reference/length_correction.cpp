@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/dynamics/momentum_balance.h"
+
 namespace wuerfel {
 namespace {
 
@@ -19,9 +21,10 @@ bool contains(const std::vector<Contact>& contacts, const Contact& c) {
 LengthCorrection::LengthCorrection(const System& system, const MotionSettings& settings)
     : system_(&system), dynamics_(system, settings) {}
 
-void LengthCorrection::correct(State& state,
+Push LengthCorrection::correct(State& state,
                                const std::vector<Contact>& pressed,
                                Bookkeeping& book) {
+  const State before = state;
   Projection placed = place(std::move(state), pressed);
   keep_book(placed.solves, book);
   std::vector<Island> islands;
@@ -35,6 +38,11 @@ void LengthCorrection::correct(State& state,
       project_velocities(*system_, std::move(placed.state), parts, Contradiction::take, dynamics_);
   keep_book(slowed.solves, book);
   state = std::move(slowed.state);
+  const bool fixed =
+      touches_fixed(*system_, pressed) || std::ranges::any_of(system_->rods, is_held);
+  const Push settled = fixed ? unexplained(*system_, before, state, 0.0, {}) : Push{};
+  book.settled += settled;
+  return settled;
 }
 
 Projection LengthCorrection::place(State state, std::vector<Contact> closed) {

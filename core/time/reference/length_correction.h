@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/dynamics/projection.h"
+#include "core/dynamics/push.h"
 #include "core/time/bookkeeping.h"
 
 namespace wuerfel {
@@ -14,8 +15,10 @@ class LengthCorrection {
   LengthCorrection(const System& system, const MotionSettings& settings);
 
   /// Moves the cubes by the least that removes overlap and keeps the contacts in `pressed` closed;
-  /// then changes velocities by the least that makes the gap rates of these zero.
-  void correct(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
+  /// then changes velocities by the least that makes the gap rates of these zero. What fixed bodies
+  /// gave the cubes by that, which is no impulse of a program, is settled by them; nothing where none
+  /// was pressed and no rod is held.
+  Push correct(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
 
  private:
   Projection place(State state, std::vector<Contact> closed);

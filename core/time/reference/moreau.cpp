@@ -52,7 +52,7 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
     point.state[i].position += dt * point.state[i].velocity;
     point.state[i].angle += dt * point.state[i].spin;
   }
-  correction_.correct(point.state, pressed, book);
+  point.push += correction_.correct(point.state, pressed, book);
   point.t += dt;
   restrictions_.find(point, book);
 }

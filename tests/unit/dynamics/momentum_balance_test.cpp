@@ -75,6 +75,39 @@ TEST(MomentumBalance, ClosesInSteps) {
   EXPECT_LT(unexplained_in(in_space, 5.0, Integrator::moreau), 1e-3);
 }
 
+/// A cube falls on one that rests, beyond its middle, so that both move afterwards.
+constexpr const char* landing = R"(
+[[plane]]
+name = "floor"
+[[cube]]
+name = "a"
+position = [0.0, 0.5]
+[[cube]]
+name = "b"
+position = [0.6, 1.8]
+)";
+
+TEST(MomentumBalance, ClosesInStepsOfOneLengthWhereSomebodyLandsOnWhatRests) {
+  for (const Integrator integrator : {Integrator::moreau, Integrator::symplectic})
+    EXPECT_LT(unexplained_in(landing, 1.5, integrator), 1e-6) << to_string(integrator);
+}
+
+/// A pendulum: what it hangs on is fixed to the world.
+constexpr const char* hanging = R"(
+[[cube]]
+name = "a"
+position = [1.0, 2.0]
+[[rod]]
+from = "a.nw"
+to = [0.0, 4.0]
+)";
+
+TEST(MomentumBalance, KnowsWhatRodsToFixedPlacesDo) {
+  for (const Integrator integrator :
+       {Integrator::automatic, Integrator::rattle, Integrator::moreau, Integrator::symplectic})
+    EXPECT_LT(unexplained_in(hanging, 3.0, integrator), 1e-8) << to_string(integrator);
+}
+
 TEST(MomentumBalance, TellsWhatHasNoReason) {
   const System system = make_system(parse_scene(in_space, "scene"));
   const State before = initial_state(parse_scene(in_space, "scene"));

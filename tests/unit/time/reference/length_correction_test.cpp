@@ -22,7 +22,9 @@ TEST(LengthCorrection, ClosesWhatWasPressedAndStopsItsGap) {
   LengthCorrection correction(m.system, {});
   Bookkeeping book;
   State state = m.state;
-  correction.correct(state, contacts_of(m, 1e-3), book);
+  const Push given = correction.correct(state, contacts_of(m, 1e-3), book);
+  EXPECT_NEAR(given.linear.y(), -0.2, 1e-14);  // by the floor
+  EXPECT_EQ(book.settled.linear, given.linear);
   EXPECT_NEAR(state[0].position.y(), 0.5, 1e-11);
   EXPECT_NEAR(state[0].velocity.y(), 0.0, 1e-14);
   EXPECT_EQ(state[0].velocity.x(), 0.5);

@@ -1,0 +1,28 @@
+// state_hashes SCENE.toml ..: one number for all states of a second of each scene, by every integrator. Builds by all compilers
+// and at all levels print the same: tests/compilers.
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/scene/scene_parser.h"
+#include "core/time/simulation.h"
+
+int main(int count, char** names) {
+  using namespace wuerfel;
+  for (int i = 1; i < count; ++i) {
+    std::ifstream file(names[i]);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (const Integrator integrator :
+         {Integrator::automatic, Integrator::event, Integrator::rattle, Integrator::moreau,
+          Integrator::euler}) {
+      MotionSettings settings;
+      settings.integrator = integrator;
+      Simulation simulation(parse_scene(text, names[i]), settings);
+      simulation.advance_to(1.0);
+      std::printf("%016llx %s %s\n", static_cast<unsigned long long>(simulation.state_hash()),
+                  names[i], std::string(to_string(integrator)).c_str());
+    }
+  }
+  return 0;
+}
