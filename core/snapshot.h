@@ -156,6 +156,7 @@ struct SnapshotRequest {
   bool points = false;
   bool contacts = false;
   bool sides = false;
+  bool operator==(const SnapshotRequest&) const = default;
 };
 
 /// Where the centre of a cube has been up to now, oldest first.

@@ -1,6 +1,8 @@
 #include "app/film/frame_taker.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <span>
 
 namespace wuerfel {
@@ -15,6 +17,11 @@ std::map<std::string, int> numbers_of(const Snapshot& snapshot) {
   for (const SnapshotPlane& plane : snapshot.planes)
     numbers.emplace(plane.name, static_cast<int>(numbers.size()));
   return numbers;
+}
+
+bool is_same(const BodyState& a, const BodyState& b) {
+  return a.position == b.position && a.angle == b.angle && a.velocity == b.velocity
+         && a.spin == b.spin;
 }
 
 /// When the k-th look before a frame is; the 0-th is the frame itself.
@@ -85,8 +92,8 @@ std::vector<Instant> with_looks(std::vector<Instant> instants, double average) {
 
 /// Up to time t.
 void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
-  for (; seen_ < events.size() && events[seen_].t <= t; ++seen_)
-    if (events[seen_].impulse > 0.0) impacts_.push_back(events[seen_]);
+  for (; noticed_ < events.size() && events[noticed_].t <= t; ++noticed_)
+    if (events[noticed_].impulse > 0.0) impacts_.push_back(events[noticed_]);
   const double oldest = t - std::max(back_.average, back_.impacts);
   while (!impacts_.empty() && impacts_.front().t < oldest)
     impacts_.pop_front();
@@ -97,10 +104,12 @@ std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const 
   std::vector<const Joints*> own;
   for (int k = looks_per_average - 1; k >= 0; --k) {
     const double t = look_time(snapshot.time, back_.average, k);
-    const auto look = std::ranges::find(looks_, t, &std::pair<double, Joints>::first);
-    if (look != looks_.end()) own.push_back(&look->second);
+    const auto look = std::ranges::find(looks_, t, &Look::t);
+    if (look != looks_.end()) own.push_back(look->joints.get());
   }
-  if (own.size() < 2) return snapshot.joints;
+  const auto same = [](const Joints* a, const Joints* b) { return a == b || *a == *b; };
+  const bool steady = std::ranges::adjacent_find(own, std::not_fn(same)) == own.end();
+  if (own.size() < 2 || (steady && impacts_.empty())) return snapshot.joints;
   JointSum sum;
   for (const Joints* joints : own)
     sum.add(*joints, 1.0 / static_cast<double>(own.size()));
@@ -125,23 +134,43 @@ std::vector<SnapshotImpact> FrameTaker::marks(double t) const {
   return marks;
 }
 
+/// What has not moved looks as it did, but for the time.
+std::shared_ptr<const Snapshot> FrameTaker::snapshot(const Simulation& simulation,
+                                                     const Moment& moment,
+                                                     const SnapshotRequest& request) {
+  if (moment.loaded != last_.loaded || !std::ranges::equal(moment.state, last_.state, is_same))
+    seen_.clear();
+  last_ = moment;
+  const auto seen = std::ranges::find(seen_, request, &Seen::request);
+  if (seen != seen_.end()) return seen->snapshot;
+  seen_.push_back(
+      {request, std::make_shared<const Snapshot>(simulation.snapshot(moment, request))});
+  return seen_.back().snapshot;
+}
+
 std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
                                          const Moment& moment,
                                          const Instant& instant) {
   notice_impacts(simulation.events(), moment.t);
-  while (!looks_.empty() && looks_.front().first <= instant.t - back_.average * (1.0 - 1e-9))
+  while (!looks_.empty() && looks_.front().t <= instant.t - back_.average * (1.0 - 1e-9))
     looks_.pop_front();
+  const auto remember = [&](std::shared_ptr<const Snapshot> of) {
+    const Joints* joints = &of->joints;
+    looks_.push_back({instant.t, {std::move(of), joints}});
+  };
   if (!instant.frame) {
     if (instant.look && request_.joints)
-      looks_.emplace_back(instant.t, simulation.snapshot(moment, {.joints = true}).joints);
+      remember(this->snapshot(simulation, moment, {.joints = true}));
     return std::nullopt;
   }
   const SnapshotRequest request = instant.sample ? request_
                                   : instant.bare ? SnapshotRequest{}
                                                  : passing_;
-  Snapshot snapshot = simulation.snapshot(moment, request);
+  const std::shared_ptr<const Snapshot> seen = this->snapshot(simulation, moment, request);
+  Snapshot snapshot = *seen;
+  snapshot.time = moment.t;
   if (request.joints && back_.average > 0.0) {
-    looks_.emplace_back(instant.t, snapshot.joints);
+    remember(seen);
     snapshot.joints = averaged(snapshot);
   }
   if (back_.impacts > 0.0) snapshot.impacts = marks(instant.t);

@@ -4,10 +4,9 @@
 #pragma once
 
 #include <deque>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/film/timetable.h"
@@ -41,7 +40,19 @@ class FrameTaker {
 
  private:
   using Joints = std::vector<SnapshotJoint>;
+  struct Look {
+    double t;
+    std::shared_ptr<const Joints> joints;
+  };
+  /// A snapshot of what has not moved since.
+  struct Seen {
+    SnapshotRequest request;
+    std::shared_ptr<const Snapshot> snapshot;
+  };
 
+  std::shared_ptr<const Snapshot> snapshot(const Simulation& simulation,
+                                           const Moment& moment,
+                                           const SnapshotRequest& request);
   void notice_impacts(const std::vector<Event>& events, double t);
   [[nodiscard]] Joints averaged(const Snapshot& snapshot) const;
   [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
@@ -49,9 +60,11 @@ class FrameTaker {
   SnapshotRequest request_;
   SnapshotRequest passing_;
   LookBack back_;
-  std::deque<std::pair<double, Joints>> looks_;  // by their times, the latest last
+  std::deque<Look> looks_;  // by their times, the latest last
   std::deque<Event> impacts_;
-  std::size_t seen_ = 0;  // of the motion's events
+  std::size_t noticed_ = 0;  // of the motion's events
+  Moment last_;
+  std::vector<Seen> seen_;  // at the last moment, and still as it was
 };
 
 }  // namespace wuerfel
