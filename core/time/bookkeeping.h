@@ -32,7 +32,7 @@ struct Loss {
   double t = 0.0;         ///< s
   double energy = 0.0;    ///< J
   bool friction = false;  ///< taken by friction
-  double since = 0.0;     ///< s
+  double since = 0.0;     ///< s, t where it was taken at once
 };
 
 /// What a run promises of itself.

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/dynamics/solves.h"
-#include "core/time/shown_book.h"
 
 namespace wuerfel::test {
 namespace {
@@ -77,26 +76,6 @@ TEST(Bookkeeping, PartsAddUpAndTheWorstCounts) {
   EXPECT_EQ(a.events.size(), 1U);
   EXPECT_EQ(a.audit.max_penetration, 2e-10);
   EXPECT_EQ(a.audit.max_overlap, 2e-10);
-}
-
-TEST(ShownBook, TellsWhatAStepUnderWayHasTakenByWhatIsMissing) {
-  Bookkeeping computed;
-  computed.losses = {
-      {1.0, 5.0, false, 1.0}, {3.0, 6.0, true, 2.0}, {3.0, 2.0, false, 2.5}, {4.0, 9.0, true, 3.0}};
-  ShownBook shown;
-  shown.advance_to(2.75, computed);
-  const auto expect = [&](double missing, double impacts, double friction) {
-    const LostEnergy lost = shown.lost(computed, missing);
-    EXPECT_EQ(lost.impacts, impacts) << missing;
-    EXPECT_EQ(lost.friction, friction) << missing;
-  };
-  EXPECT_TRUE(shown.any_under_way(computed));
-  expect(5.0 + 4.0, 5.0 + 1.0, 3.0);
-  expect(4.0, 5.0, 0.0);  // less than was lost before: a drift, which is not hidden
-  expect(20.0, 7.0, 6.0);
-  shown.advance_to(3.0, computed);
-  EXPECT_FALSE(shown.any_under_way(computed));
-  expect(20.0, 7.0, 6.0);
 }
 
 }  // namespace
