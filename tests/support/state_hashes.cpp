@@ -2,7 +2,7 @@
 // and at all levels print the same: tests/compilers.
 #include <cstdio>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
 
 #include "core/scene/scene_parser.h"
@@ -11,14 +11,14 @@
 int main(int count, char** names) {
   using namespace wuerfel;
   for (int i = 1; i < count; ++i) {
-    std::ifstream file(names[i]);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::ostringstream text;
+    text << std::ifstream(names[i]).rdbuf();
     for (const Integrator integrator :
          {Integrator::automatic, Integrator::event, Integrator::rattle, Integrator::moreau,
           Integrator::euler}) {
       MotionSettings settings;
       settings.integrator = integrator;
-      Simulation simulation(parse_scene(text, names[i]), settings);
+      Simulation simulation(parse_scene(text.str(), names[i]), settings);
       simulation.advance_to(1.0);
       std::printf("%016llx %s %s\n", static_cast<unsigned long long>(simulation.state_hash()),
                   names[i], std::string(to_string(integrator)).c_str());
