@@ -217,6 +217,7 @@ struct Snapshot {
   std::vector<SnapshotForce> forces;
   std::vector<SnapshotJoint> joints;      ///< filled only when asked for
   std::vector<SnapshotImpact> impacts;    ///< filled by films
+  std::vector<double> loads;              ///< N, of each box over a moment; filled by films
   std::vector<SnapshotRod> rods;          ///< filled only when asked for
   std::vector<SnapshotPoint> points;      ///< filled only when asked for
   std::vector<SnapshotContact> contacts;  ///< filled only when asked for

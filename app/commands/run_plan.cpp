@@ -99,7 +99,7 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
     plan.request = snapshot_request(asked.picture, scene.cubes.size());
     plan.back = look_back(asked.picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);
     plan.instants =
-        with_looks(std::move(plan.instants), plan.request.joints ? plan.back.average : 0.0);
+        with_looks(std::move(plan.instants), plan.back);
   }
   if (!asked.forces.empty()) plan.request.forces = true;
   return plan;

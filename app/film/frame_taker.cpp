@@ -1,9 +1,12 @@
 #include "app/film/frame_taker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <span>
+
+#include "render/picture/body_color.h"
 
 namespace wuerfel {
 
@@ -27,6 +30,11 @@ bool is_same(const BodyState& a, const BodyState& b) {
 /// When the k-th look before a frame is; the 0-th is the frame itself.
 double look_time(double frame, double average, int k) {
   return frame - average * k / looks_per_average;
+}
+
+/// How many looks the loads of a frame are averaged over.
+int load_looks(const LookBack& back) {
+  return static_cast<int>(std::lround(back.loads / back.average * looks_per_average));
 }
 
 /// Sums of joints, one for each pair of bodies; geometry is that of the latest look.
@@ -78,12 +86,14 @@ class JointSum {
 
 }  // namespace
 
-std::vector<Instant> with_looks(std::vector<Instant> instants, double average) {
-  if (!(average > 0.0)) return instants;
+std::vector<Instant> with_looks(std::vector<Instant> instants, const LookBack& back) {
+  if (!(back.average > 0.0)) return instants;
   std::vector<Instant> looks;
   for (const Instant& instant : instants) {
-    for (int k = 1; instant.frame && !instant.bare && k < looks_per_average; ++k) {
-      const double t = look_time(instant.t, average, k);
+    const int count =
+        instant.sample ? std::max(looks_per_average, load_looks(back)) : looks_per_average;
+    for (int k = 1; instant.frame && !instant.bare && k < count; ++k) {
+      const double t = look_time(instant.t, back.average, k);
       if (t > 0.0) looks.push_back({.t = t, .look = true});
     }
   }
@@ -105,7 +115,7 @@ std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const 
   for (int k = looks_per_average - 1; k >= 0; --k) {
     const double t = look_time(snapshot.time, back_.average, k);
     const auto look = std::ranges::find(looks_, t, &Look::t);
-    if (look != looks_.end()) own.push_back(look->joints.get());
+    if (look != looks_.end() && look->joints) own.push_back(look->joints.get());
   }
   const auto same = [](const Joints* a, const Joints* b) { return a == b || *a == *b; };
   const bool steady = std::ranges::adjacent_find(own, std::not_fn(same)) == own.end();
@@ -134,44 +144,77 @@ std::vector<SnapshotImpact> FrameTaker::marks(double t) const {
   return marks;
 }
 
+/// In a crowd loads change from frame to frame; colours tell what a cube bears for a moment.
+std::vector<double> FrameTaker::averaged_loads(double t) const {
+  Loads sum;
+  int count = 0;
+  for (int k = 0; k < load_looks(back_); ++k) {
+    // Looks of other frames, whose times are as good as these.
+    const double wanted = look_time(t, back_.average, k);
+    const double close = 0.1 * back_.average / looks_per_average;
+    const auto look = std::ranges::find_if(
+        looks_, [&](const Look& of) { return std::abs(of.t - wanted) < close; });
+    if (look == looks_.end()) continue;
+    sum.resize(look->loads->size(), 0.0);
+    std::ranges::transform(sum, *look->loads, sum.begin(), std::plus());
+    ++count;
+  }
+  for (double& load : sum)
+    load /= count;
+  return sum;
+}
+
 /// What has not moved looks as it did, but for the time.
-std::shared_ptr<const Snapshot> FrameTaker::snapshot(const Simulation& simulation,
-                                                     const Moment& moment,
-                                                     const SnapshotRequest& request) {
+const FrameTaker::Seen& FrameTaker::see(const Simulation& simulation,
+                                        const Moment& moment,
+                                        const SnapshotRequest& request) {
   if (moment.loaded != last_.loaded || !std::ranges::equal(moment.state, last_.state, is_same))
     seen_.clear();
   last_ = moment;
   const auto seen = std::ranges::find(seen_, request, &Seen::request);
-  if (seen != seen_.end()) return seen->snapshot;
-  seen_.push_back(
-      {request, std::make_shared<const Snapshot>(simulation.snapshot(moment, request))});
-  return seen_.back().snapshot;
+  if (seen != seen_.end()) return *seen;
+  auto snapshot = std::make_shared<const Snapshot>(simulation.snapshot(moment, request));
+  auto loads =
+      back_.loads > 0.0 ? std::make_shared<const Loads>(wuerfel::loads(*snapshot)) : nullptr;
+  return seen_.emplace_back(Seen{request, std::move(snapshot), std::move(loads)});
+}
+
+void FrameTaker::remember(double t, const Seen& seen) {
+  looks_.push_back({t, {seen.snapshot, &seen.snapshot->joints}, seen.loads});
+}
+
+/// What no frame from t on looks back to.
+void FrameTaker::forget(double t) {
+  const auto is_over = [&](const Look& look, double memory) {
+    return look.t <= t - memory * (1.0 - 1e-9);
+  };
+  while (!looks_.empty() && is_over(looks_.front(), std::max(back_.average, back_.loads)))
+    looks_.pop_front();
+  for (Look& look : looks_) {
+    if (!is_over(look, back_.average)) break;
+    look.joints = nullptr;
+  }
 }
 
 std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
                                          const Moment& moment,
                                          const Instant& instant) {
   notice_impacts(simulation.events(), moment.t);
-  while (!looks_.empty() && looks_.front().t <= instant.t - back_.average * (1.0 - 1e-9))
-    looks_.pop_front();
-  const auto remember = [&](std::shared_ptr<const Snapshot> of) {
-    const Joints* joints = &of->joints;
-    looks_.push_back({instant.t, {std::move(of), joints}});
-  };
-  if (!instant.frame) {
-    if (instant.look && request_.joints)
-      remember(this->snapshot(simulation, moment, {.joints = true}));
-    return std::nullopt;
-  }
+  forget(instant.t);
   const SnapshotRequest request = instant.sample ? request_
                                   : instant.bare ? SnapshotRequest{}
                                                  : passing_;
-  const std::shared_ptr<const Snapshot> seen = this->snapshot(simulation, moment, request);
-  Snapshot snapshot = *seen;
+  const bool averages = request_.joints && back_.average > 0.0;
+  if (averages && instant.look && !(instant.frame && request.joints))
+    remember(instant.t, see(simulation, moment, {.joints = true}));
+  if (!instant.frame) return std::nullopt;
+  const Seen& seen = see(simulation, moment, request);
+  Snapshot snapshot = *seen.snapshot;
   snapshot.time = moment.t;
-  if (request.joints && back_.average > 0.0) {
-    remember(seen);
+  if (averages && request.joints) {
+    remember(instant.t, seen);
     snapshot.joints = averaged(snapshot);
+    if (back_.loads > 0.0) snapshot.loads = averaged_loads(instant.t);
   }
   if (back_.impacts > 0.0) snapshot.impacts = marks(instant.t);
   return snapshot;

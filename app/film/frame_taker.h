@@ -19,13 +19,15 @@ namespace wuerfel {
 struct LookBack {
   double average = 0.0;  ///< s, over which forces are averaged, impulses included; 0: not at all
   double impacts = 0.0;  ///< s, for which impacts leave a mark; 0: none
+  double loads = 0.0;    ///< s, over which loads are averaged that colours tell; 0: as forces
 };
 
 /// How many looks an average takes, the last at the frame itself.
 constexpr int looks_per_average = 4;
 
-/// The instants and, before each frame, those at which its forces are looked at.
-std::vector<Instant> with_looks(std::vector<Instant> instants, double average);
+/// The instants and, before each frame, those at which its forces are looked at; loads of frames that
+/// were asked for farther back.
+std::vector<Instant> with_looks(std::vector<Instant> instants, const LookBack& back);
 
 class FrameTaker {
  public:
@@ -40,21 +42,27 @@ class FrameTaker {
 
  private:
   using Joints = std::vector<SnapshotJoint>;
+  using Loads = std::vector<double>;
   struct Look {
     double t;
-    std::shared_ptr<const Joints> joints;
+    std::shared_ptr<const Joints> joints;  // of the time that forces are averaged over
+    std::shared_ptr<const Loads> loads;
   };
   /// A snapshot of what has not moved since.
   struct Seen {
     SnapshotRequest request;
     std::shared_ptr<const Snapshot> snapshot;
+    std::shared_ptr<const Loads> loads;
   };
 
-  std::shared_ptr<const Snapshot> snapshot(const Simulation& simulation,
-                                           const Moment& moment,
-                                           const SnapshotRequest& request);
+  const Seen& see(const Simulation& simulation,
+                  const Moment& moment,
+                  const SnapshotRequest& request);
+  void remember(double t, const Seen& seen);
+  void forget(double t);
   void notice_impacts(const std::vector<Event>& events, double t);
   [[nodiscard]] Joints averaged(const Snapshot& snapshot) const;
+  [[nodiscard]] Loads averaged_loads(double t) const;
   [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
 
   SnapshotRequest request_;

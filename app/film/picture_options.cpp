@@ -19,10 +19,16 @@ constexpr double gravity_arrow = 0.4;           // likewise, of an acceleration 
 constexpr double longest_acceleration_arrow = 1.0;
 constexpr double free_body_share = 0.6;  // of a joint's arrow: forces of a free body don't meet
 constexpr double impact_memory = 0.15;   // s of the film
+constexpr double load_memory = 0.15;     // likewise
 
 bool draws_forces(Layers layers) {
   return layers.has(Layer::forces) || layers.has(Layer::contact_forces) || layers.has(Layer::joints)
          || layers.has(Layer::weights);
+}
+
+bool shows_joints(Layers layers, ColorBy by) {
+  return layers.has(Layer::forces) || layers.has(Layer::joints) || layers.has(Layer::thrust)
+         || by == ColorBy::load || by == ColorBy::island;
 }
 
 bool marks_reasons(Layers layers) {
@@ -80,6 +86,14 @@ void fit_force_scale(PictureOptions& options, const ForceRange& range) {
   }
 }
 
+// N, of the last colour: the largest load, or where that is a rare peak, what is not.
+double typical_top(const ForceRange& loads) {
+  constexpr double not_much_more = 1.25;
+  const double largest = loads.largest();
+  const double ordinary = loads.ordinary();
+  return largest > not_much_more * ordinary ? ordinary : largest;
+}
+
 // Accelerations are compared with that of free fall.
 std::optional<double> fitted_acceleration_scale(const MotionRange& range) {
   const double most = range.largest_acceleration;
@@ -126,7 +140,8 @@ bool needs_whole_motion(const PictureOptions& options) {
   const Layers layers = options.layers;
   const bool scaled = options.color_by == ColorBy::load || options.color_by == ColorBy::speed;
   return options.camera.kind == Camera::Kind::fit || (draws_forces(layers) && !options.force_scale)
-         || ((draws_forces(layers) || marks_reasons(layers)) && !options.legend)
+         || ((draws_forces(layers) || marks_reasons(layers) || layers.has(Layer::sides) || scaled)
+             && !options.legend)
          || (layers.has(Layer::velocities) && !options.velocity_scale)
          || (layers.has(Layer::accelerations) && !options.acceleration_scale)
          || (layers.has(Layer::rod_forces) && !options.rod_scale) || (scaled && !options.color_top);
@@ -148,8 +163,8 @@ PictureOptions fit_scales(PictureOptions options, const MotionRange& range) {
     options.acceleration_scale = fitted_acceleration_scale(range);
   if (layers.has(Layer::rod_forces) && !options.rod_scale && range.largest_rod > 0.0)
     options.rod_scale = range.largest_rod;
-  if (!options.color_top && options.color_by == ColorBy::load && range.largest_load > 0.0)
-    options.color_top = range.largest_load;
+  if (!options.color_top && options.color_by == ColorBy::load && range.loads.largest() > 0.0)
+    options.color_top = typical_top(range.loads);
   if (!options.color_top && options.color_by == ColorBy::speed && range.fastest > 0.0)
     options.color_top = range.fastest;
   return options;
@@ -181,6 +196,11 @@ int auto_height(const PictureOptions& scaled, const Recording& motion) {
 Legend legend_of(const PictureOptions& fitted, const MotionRange& range) {
   if (fitted.legend) return *fitted.legend;
   Legend legend = range.seen;
+  const double most = fitted.color_by == ColorBy::load    ? range.largest_load
+                      : fitted.color_by == ColorBy::speed ? range.fastest
+                                                          : 0.0;
+  if (fitted.color_top && most > *fitted.color_top * (1.0 + 1e-9))
+    legend.insert(LegendEntry::above);
   legend.insert(LegendEntry::contact);
   if (fitted.layers.has(Layer::accelerations) && range.gravity > 0.0
       && range.largest_acceleration > most_gravities * range.gravity)
@@ -188,6 +208,7 @@ Legend legend_of(const PictureOptions& fitted, const MotionRange& range) {
   if (!fitted.force_scale) return legend;
   const ForceScale& scale = *fitted.force_scale->whole;
   if (range.forces.cuts(scale)) legend.insert(LegendEntry::cut);
+  if (scale.cuts(range.most_possible)) legend.insert(LegendEntry::beyond);
   // Dots stand for arrows of less than some pixels.
   const double ppm = fitted.size.width / fitted.camera.width * fitted.camera.zoom;
   const double unit = frame_unit(fitted.size.width, fitted.size.height, fitted.scale);
@@ -248,8 +269,7 @@ std::string option_text(const PictureOptions& fitted) {
 SnapshotRequest snapshot_request(const PictureOptions& options, std::size_t cubes) {
   const Layers layers = options.layers;
   const ColorBy by = color_by(options, cubes);
-  const bool joints = layers.has(Layer::forces) || layers.has(Layer::joints)
-                      || layers.has(Layer::thrust) || by == ColorBy::load || by == ColorBy::island;
+  const bool joints = shows_joints(layers, by);
   const bool forces = layers.has(Layer::contact_forces);
   const bool unique = (forces || layers.has(Layer::forces)) && cubes < crowd;
   return {.forces = forces,
@@ -268,8 +288,12 @@ SnapshotRequest snapshot_request(const PictureOptions& options, std::size_t cube
 }
 
 LookBack look_back(const PictureOptions& options, double interval, double speed) {
-  if (!options.layers.has(Layer::forces)) return {};
-  return {options.average.value_or(interval), impact_memory * speed};
+  const bool arrows = options.layers.has(Layer::forces);
+  const double average = shows_joints(options.layers, options.color_by.value_or(ColorBy::body))
+                             ? options.average.value_or(interval)
+                             : 0.0;
+  return {average, arrows ? impact_memory * speed : 0.0,
+          options.color_by == ColorBy::load && average > 0.0 ? load_memory * speed : 0.0};
 }
 
 AnimationSettings animation_settings(const PictureOptions& options,

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "render/picture/frame_options.h"
+
 namespace wuerfel {
 
 namespace {
@@ -62,25 +64,35 @@ void MotionRange::include(const Snapshot& snapshot) {
   for (const SnapshotBox& box : snapshot.boxes)
     largest_acceleration = std::max(largest_acceleration, box.acceleration.norm());
   gravity = snapshot.gravity.norm();
+  for (const double load : joint_loads(snapshot))
+    loads.include(load);
   largest_load = std::max(largest_load, largest_value(snapshot, ColorBy::load));
   if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
   if (!snapshot.mechanism.empty()) seen.insert(LegendEntry::mechanism);
   if (!snapshot.causes.empty()) seen.insert(LegendEntry::cause);
+  for (const SnapshotSide& side : snapshot.sides)
+    if (is_negative(side)) seen.insert(LegendEntry::negative);
   for (const SnapshotJoint& joint : snapshot.joints) {
     if (!joint.unique) seen.insert(LegendEntry::several);
-    if (joint.range) seen.insert(LegendEntry::range);
+    if (joint.range) include(*joint.range);
   }
   for (const SnapshotForce& force : snapshot.forces) {
     if (!force.unique) seen.insert(LegendEntry::several);
-    if (force.range) seen.insert(LegendEntry::range);
+    if (force.range) include(*force.range);
     if (force.kind == ForceKind::friction) seen.insert(LegendEntry::friction);
   }
 }
 
+void MotionRange::include(const SnapshotRange& range) {
+  seen.insert(LegendEntry::range);
+  most_possible = std::max(most_possible, range.most);
+}
+
 std::size_t Recording::Scenery::bytes() const {
   return sizeof *this + bytes_of(boxes) + bytes_of(forces) + bytes_of(joints) + bytes_of(impacts)
-         + bytes_of(rods) + bytes_of(points) + bytes_of(contacts) + bytes_of(sides)
-         + bytes_of(masses) + bytes_of(links) + bytes_of(causes) + bytes_of(mechanism);
+         + bytes_of(loads) + bytes_of(rods) + bytes_of(points) + bytes_of(contacts)
+         + bytes_of(sides) + bytes_of(masses) + bytes_of(links) + bytes_of(causes)
+         + bytes_of(mechanism);
 }
 
 void Recording::add(Snapshot snapshot) {
@@ -91,6 +103,7 @@ void Recording::add(Snapshot snapshot) {
                   std::move(snapshot.forces),
                   std::move(snapshot.joints),
                   std::move(snapshot.impacts),
+                  std::move(snapshot.loads),
                   std::move(snapshot.rods),
                   std::move(snapshot.points),
                   std::move(snapshot.contacts),
@@ -119,7 +132,7 @@ void Recording::add(Snapshot snapshot) {
 MotionRange Recording::range() const {
   MotionRange range = seen_;
   range.forces = chosen_.forces;
-  range.largest_load = chosen_.largest_load;
+  range.loads = chosen_.loads;
   return range;
 }
 
@@ -144,6 +157,7 @@ void Recording::for_each(const std::function<void(const Snapshot&)>& show) const
     snapshot.forces = scenery.forces;
     snapshot.joints = scenery.joints;
     snapshot.impacts = scenery.impacts;
+    snapshot.loads = scenery.loads;
     snapshot.rods = scenery.rods;
     snapshot.points = scenery.points;
     snapshot.contacts = scenery.contacts;

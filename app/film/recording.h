@@ -46,10 +46,15 @@ struct MotionRange {
   double largest_rod = 0.0;           ///< N
   double largest_acceleration = 0.0;  ///< m/s^2
   double gravity = 0.0;               ///< m/s^2
-  double largest_load = 0.0;          ///< N, on one cube
+  ForceRange loads;                   ///< on one cube
+  double largest_load = 0.0;          ///< N, that its colour tells
+  double most_possible = 0.0;         ///< N, of the ranges of forces; may be infinite
   Legend seen;                        ///< kinds of forces
 
   void include(const Snapshot& snapshot);
+
+ private:
+  void include(const SnapshotRange& range);
 };
 
 /// The frames of a motion. What never changes (names, sizes, colours, fixed boxes, planes) is kept
@@ -87,6 +92,7 @@ class Recording {
     std::vector<SnapshotForce> forces;
     std::vector<SnapshotJoint> joints;
     std::vector<SnapshotImpact> impacts;
+    std::vector<double> loads;
     std::vector<SnapshotRod> rods;
     std::vector<SnapshotPoint> points;
     std::vector<SnapshotContact> contacts;

@@ -88,14 +88,8 @@ MotionSource source_of(const Scene& scene,
   SnapshotRequest passing = request;
   passing.unique = passing.ranges = passing.causes = false;
   const LookBack back = look_back(picture, 0.0, options.rate.speed);
-  return {scene,
-          options.motion,
-          with_looks(std::move(instants), request.joints ? back.average : 0.0),
-          request,
-          passing,
-          back,
-          stop,
-          Progress::style_for_stderr(false)};
+  return {scene, options.motion, with_looks(std::move(instants), back), request, passing,
+          back,  stop,           Progress::style_for_stderr(false)};
 }
 
 // What the picture of an explanation marks and tells besides the scene.

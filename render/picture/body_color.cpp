@@ -81,11 +81,15 @@ Color scale_color(const Style& style, double share) {
   return mix(viridis.at(below), viridis.at(below + 1), place - static_cast<double>(below));
 }
 
-std::vector<double> loads(const Snapshot& snapshot) {
+std::vector<double> joint_loads(const Snapshot& snapshot) {
   std::vector<double> values(snapshot.boxes.size(), 0.0);
   for (const SnapshotJoint& joint : snapshot.joints)
     if (joint.body >= 0) values[joint.body] += joint.force.norm();
   return values;
+}
+
+std::vector<double> loads(const Snapshot& snapshot) {
+  return snapshot.loads.empty() ? joint_loads(snapshot) : snapshot.loads;
 }
 
 double largest_value(const Snapshot& snapshot, ColorBy by) {

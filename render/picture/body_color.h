@@ -11,7 +11,7 @@ namespace wuerfel {
 
 enum class ColorBy {
   body,   ///< each its own
-  load,   ///< the sum of the forces that carry it, N
+  load,   ///< the sum of the forces that carry it, N, in films over a moment
   speed,  ///< of the centre, m/s
   island  ///< bodies that push one another have one colour
 };
@@ -27,6 +27,8 @@ struct BodyColoring {
 Color scale_color(const Style& style, double share);
 
 /// N, of each box: the sum of the joints that carry it.
+std::vector<double> joint_loads(const Snapshot& snapshot);
+/// The same over a moment, where that is known.
 std::vector<double> loads(const Snapshot& snapshot);
 
 /// The largest load or speed of a cube; 0 where colours are no numbers.

@@ -16,6 +16,7 @@ constexpr double hollow_head = 1.2;     ///< times the width of a filled one's h
 constexpr double break_at = 0.3;        ///< of a cut arrow's shaft, from its tail
 constexpr double break_gap = 5.0;       ///< px between the strokes of a break
 constexpr double break_reach = 5.5;     ///< px that they reach to each side
+constexpr double two_heads = 24.0;      ///< px, beside each other
 constexpr double center_dot = 2.6;      ///< px, where velocities start
 
 /// A place on an arrow: `along` px from its tail, `across` to its left as seen on the screen.
@@ -172,6 +173,21 @@ void add_velocities(const FrameParts& parts, std::vector<PendingArrow>& arrows) 
   }
 }
 
+/// From the centre to the corners; of a thin body to the middles of its ends, of a small one none: heads would lie on
+/// one another.
+std::vector<Vec2> corners_apart(const FrameParts& parts, const SnapshotBox& box) {
+  const auto half = [&](double size) {
+    return size * parts.view.pixels_per_metre < two_heads * parts.unit ? 0.0 : 0.5 * size;
+  };
+  const Vec2 along = half(box.size.x()) * Vec2(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 across = half(box.size.y()) * Vec2(-std::sin(box.angle), std::cos(box.angle));
+  std::vector<Vec2> places;
+  for (const Vec2& r :
+       {Vec2(-along - across), Vec2(along - across), Vec2(along + across), Vec2(across - along)})
+    if (!r.isZero(0.0) && std::ranges::find(places, r) == places.end()) places.push_back(r);
+  return places;
+}
+
 /// Of the centre, and of the corners where the body turns: a + alpha r^perp - omega^2 r.
 void add_accelerations(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
   const double scale = parts.options.metres_per_acceleration;
@@ -187,10 +203,7 @@ void add_accelerations(const FrameParts& parts, std::vector<PendingArrow>& arrow
     const double turning =
         (std::abs(box.angular_acceleration) + box.spin * box.spin) * 0.5 * box.size.norm();
     if (turning * scale * parts.view.pixels_per_metre < shortest_arrow * parts.unit) continue;
-    const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
-    const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
-    for (const Vec2& r :
-         {Vec2(-along - across), Vec2(along - across), Vec2(along + across), Vec2(across - along)})
+    for (const Vec2& r : corners_apart(parts, box))
       add(box.center + r,
           box.acceleration + box.angular_acceleration * perp(r) - box.spin * box.spin * r);
   }

@@ -1,5 +1,4 @@
-// Cubes and fixed boxes, and what is drawn on them: rods, masses, contacts, the triangles of Eq.
-// (2), names.
+// Cubes and fixed boxes, and what is drawn on them: rods, masses, contacts, names.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "render/picture/frame_parts.h"
+#include "render/picture/marks.h"
 
 namespace wuerfel::internal {
 namespace {
@@ -15,10 +14,9 @@ namespace {
 constexpr double thickest_rod = 7.0;
 constexpr double thinnest_rod = 1.2;
 constexpr double largest_mass_radius = 11.0;
+constexpr double mass_rim = 1.2;
 constexpr double smallest_name = 0.6;  ///< of the text size
 constexpr double name_room = 0.9;      ///< of a side, that a name may take
-constexpr std::size_t most_sides = 4;  ///< all of which are drawn, however far apart
-constexpr double near_side = 0.3;      ///< of a side: sides farther off are not drawn among many
 
 }  // namespace
 
@@ -31,13 +29,8 @@ bool visible(const FrameParts& parts, const SnapshotBox& box) {
 
 namespace {
 
-BoxShape box_shape(const FrameParts& parts, const SnapshotBox& box, int body) {
-  const double ppm = parts.view.pixels_per_metre;
-  BoxShape shape;
-  shape.center = parts.pixel(box.center);
-  shape.axis = {static_cast<float>(std::cos(box.angle)), static_cast<float>(-std::sin(box.angle))};
-  shape.half_size = {static_cast<float>(0.5 * box.size.x() * ppm),
-                     static_cast<float>(0.5 * box.size.y() * ppm)};
+BoxShape painted_box(const FrameParts& parts, const SnapshotBox& box, int body) {
+  BoxShape shape = box_shape(parts.view, box);
   const float smaller = std::min(shape.half_size.x, shape.half_size.y);
   shape.fill = parts.colors[body];
   // Coloured rods want quiet bodies.
@@ -70,25 +63,6 @@ std::vector<Vec2> joints(const std::vector<SnapshotRod>& rods) {
   return ends;
 }
 
-/// Strokes from one side of a triangle to another: what is negative differs by more than its colour.
-void hatch(const FrameParts& parts, const TriangleShape& triangle) {
-  const auto between = [](Pixel p, Pixel q, float share) {
-    return Pixel{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
-  };
-  const float length = std::hypot(triangle.b.x - triangle.a.x, triangle.b.y - triangle.a.y);
-  const int count = std::clamp(static_cast<int>(length / parts.weight(9.0)), 2, 200);
-  SegmentShape stroke;
-  stroke.half_width = 0.5F * parts.weight(1.2);
-  stroke.round = 0.0F;
-  stroke.color = triangle.outline;
-  for (int i = 1; i < count; ++i) {
-    const float share = static_cast<float>(i) / static_cast<float>(count);
-    stroke.from = between(triangle.a, triangle.b, share);
-    stroke.to = between(triangle.c, triangle.b, share);
-    parts.list.add(stroke);
-  }
-}
-
 }  // namespace
 
 // The older, the fainter; what has not moved since is not drawn twice.
@@ -106,7 +80,7 @@ void add_ghosts(const FrameParts& parts) {
                          + ghost.size.minCoeff() * std::abs(now.angle - ghost.angle);
     if (moved < 1e-3 * ghost.size.minCoeff()) continue;
     const double age = static_cast<double>(k + 1) / static_cast<double>(ghosts.size());
-    BoxShape shape = box_shape(parts, ghost, body->second);
+    BoxShape shape = painted_box(parts, ghost, body->second);
     shape.fill = with_alpha(shape.fill, 0.08 + 0.22 * age);
     shape.outline = with_alpha(shape.outline, 0.25 + 0.35 * age);
     shape.outline_width *= 0.7F;
@@ -120,7 +94,7 @@ void add_bodies(const FrameParts& parts) {
     const SnapshotBox& box = parts.snapshot.boxes[i];
     if (!visible(parts, box)) continue;
     parts.list.bodies.push_back({parts.list.boxes.size(), static_cast<int>(i)});
-    parts.list.add(box_shape(parts, box, static_cast<int>(i)));
+    parts.list.add(painted_box(parts, box, static_cast<int>(i)));
   }
 }
 
@@ -161,27 +135,24 @@ void add_rod_forces(const FrameParts& parts) {
     segment.color = rod.tension >= 0.0 ? parts.style.tension : parts.style.compression;
     strokes.push_back(segment);
   }
-  for (SegmentShape halo : strokes) {
-    halo.half_width += parts.weight(parts.style.halo_width);
-    halo.color = parts.style.halo;
-    if (halo.color.a > 0) parts.list.add(halo);
-  }
-  for (const SegmentShape& stroke : strokes)
-    parts.list.add(stroke);
+  add_strokes(parts, strokes);
+}
+
+float mass_radius(const FrameParts& parts, const SnapshotPoint& point) {
+  double heaviest = 0.0;
+  for (const SnapshotPoint& other : parts.snapshot.points)
+    heaviest = std::max(heaviest, other.mass);
+  return parts.weight(largest_mass_radius * std::sqrt(point.mass / heaviest) + mass_rim);
 }
 
 void add_points(const FrameParts& parts) {
-  double heaviest = 0.0;
-  for (const SnapshotPoint& point : parts.snapshot.points)
-    heaviest = std::max(heaviest, point.mass);
   for (const SnapshotPoint& point : parts.snapshot.points) {
     DiscShape disc;
     disc.center = parts.pixel(point.position);
-    disc.radius = parts.weight(largest_mass_radius * std::sqrt(point.mass / heaviest));
-    disc.outline_width = parts.weight(1.2);
+    disc.radius = mass_radius(parts, point);
+    disc.outline_width = parts.weight(mass_rim);
     disc.fill = parts.style.mass;
     disc.outline = parts.style.joint;
-    disc.radius += disc.outline_width;
     parts.list.add(disc);
   }
 }
@@ -195,37 +166,6 @@ void add_contacts(const FrameParts& parts) {
     disc.fill = parts.style.joint;
     disc.outline = parts.style.contact;
     parts.list.add(disc);
-  }
-}
-
-void add_sides(const FrameParts& parts) {
-  for (const SnapshotSide& side : parts.snapshot.sides) {
-    const double base = std::max((side.p_j - side.p_i).norm(), 1e-300);
-    if (parts.snapshot.sides.size() > most_sides && std::abs(side.area) > near_side * base * base)
-      continue;
-    const Color color = side.area < 0.0 ? parts.style.negative_side : parts.style.positive_side;
-    TriangleShape triangle;
-    triangle.a = parts.pixel(side.p_i);
-    triangle.b = parts.pixel(side.p_j);
-    triangle.c = parts.pixel(side.p_k);
-    triangle.outline_width = parts.weight(1.8);
-    triangle.fill = with_alpha(color, 0.32);
-    triangle.outline = color;
-    const double ppm = parts.view.pixels_per_metre;
-    const double height = std::abs(side.area) / base * ppm;
-    if (static_cast<float>(height) > 2.0F * triangle.outline_width) {
-      parts.list.add(triangle);
-      if (side.area < 0.0) hatch(parts, triangle);
-    } else {
-      parts.list.add(SegmentShape{triangle.a, triangle.b, triangle.outline_width, 1.0F, color});
-    }
-    DiscShape corner;
-    corner.radius = parts.weight(3.8);
-    corner.fill = color;
-    for (const Pixel place : {triangle.a, triangle.b, triangle.c}) {
-      corner.center = place;
-      parts.list.add(corner);
-    }
   }
 }
 

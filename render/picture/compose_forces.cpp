@@ -17,6 +17,8 @@ constexpr double tooth_spacing = 7.0;   ///< of the comb that shows a pressure
 constexpr double pressure_share = 0.3;  ///< of an arrow's length, that an even pressure is deep
 constexpr double deepest = 0.45;        ///< m of pressure per m of typical arrow limit
 constexpr double readable_cut_arrow = 24.0;  ///< px, for a head and the sign of the cut
+constexpr double least_impact = 0.05;        ///< of a typical impulse, that has a ring
+constexpr double least_of_crowd = 1.0;       ///< likewise: more rings than bodies hide them
 constexpr int digits = 3;                    ///< of numbers beside arrows
 
 Color joint_color(const FrameParts& parts) { return parts.style.contact; }
@@ -238,7 +240,7 @@ void add_impacts(const FrameParts& parts) {
   const double typical = count == 0 ? 0.0 : mass / count * std::sqrt(2.0 * gravity * side / count);
   for (const SnapshotImpact& impact : parts.snapshot.impacts) {
     const double share = typical > 0.0 ? std::min(impact.impulse / typical, 4.0) : 1.0;
-    if (share < 0.05) continue;
+    if (share < (is_crowd(parts.snapshot) ? least_of_crowd : least_impact)) continue;
     DiscShape ring;
     ring.center = parts.pixel(impact.point);
     ring.radius = parts.weight((4.0 + 9.0 * std::sqrt(share)) * (0.5 + 0.5 * impact.age));

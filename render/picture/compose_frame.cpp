@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "render/picture/explode.h"
-#include "render/picture/frame_parts.h"
+#include "render/picture/marks.h"
 
 namespace wuerfel {
 namespace {
@@ -62,14 +62,8 @@ DrawList instances(const Snapshot& snapshot, const View& view) {
   list.exact = true;
   for (int i = 0; i < std::ssize(snapshot.boxes); ++i) {
     const SnapshotBox& box = snapshot.boxes[i];
-    const Vec2 center = view.to_pixel(box.center);
     const auto id = static_cast<std::uint32_t>(i + 1);
-    BoxShape shape;
-    shape.center = {static_cast<float>(center.x()), static_cast<float>(center.y())};
-    shape.axis = {static_cast<float>(std::cos(box.angle)),
-                  static_cast<float>(-std::sin(box.angle))};
-    shape.half_size = {static_cast<float>(0.5 * box.size.x() * view.pixels_per_metre),
-                       static_cast<float>(0.5 * box.size.y() * view.pixels_per_metre)};
+    BoxShape shape = internal::box_shape(view, box);
     shape.fill = {static_cast<std::uint8_t>(id), static_cast<std::uint8_t>(id >> 8U),
                   static_cast<std::uint8_t>(id >> 16U), 255};
     list.bodies.push_back({list.boxes.size(), i});

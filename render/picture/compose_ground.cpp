@@ -148,6 +148,7 @@ void add_ground(const FrameParts& parts) {
     line.to = parts.pixel(sunk + span.to * along);
     line.color = parts.style.ground_line;
     parts.list.add(line);
+    parts.labels.keep_off(line.from, line.to, half_width);
   }
 }
 

@@ -83,6 +83,11 @@ void add_head(const FrameParts& parts) {
   text.paint();
 }
 
+void add_side_entries(const FrameParts& parts, LegendRow& row) {
+  row.triangle("A ≥ 0", false);
+  if (parts.options.legend.has(LegendEntry::negative)) row.triangle("A < 0", true);
+}
+
 void add_acceleration_entries(const FrameParts& parts, LegendRow& row) {
   const FrameOptions& options = parts.options;
   const bool force = options.layers.has(Layer::forces) || options.layers.has(Layer::contact_forces);
@@ -111,7 +116,9 @@ void add_force_entries(const FrameParts& parts, LegendRow& row) {
   if (pushes && options.legend.has(LegendEntry::several))
     row.sample("one of many possible", color, {.hollow = true});
   if (parts.has(Layer::whiskers) && options.legend.has(LegendEntry::range))
-    row.whisker("from least to most");
+    row.whisker("from least to most", false);
+  if (parts.has(Layer::whiskers) && options.legend.has(LegendEntry::beyond))
+    row.whisker("and on", true);
   if (options.legend.has(LegendEntry::cut)) row.sample("longer than shown", color, {.cut = true});
   if (options.legend.has(LegendEntry::hidden))
     row.dot(fmt::format("below {}", with_prefix(least_arrow(parts), "N", 2)), color);
@@ -140,12 +147,31 @@ void add_entries(const FrameParts& parts, LegendRow& row) {
   if (parts.has(Layer::causes) && options.legend.has(LegendEntry::cause))
     row.failing_box("fails by itself", parts.style.cause);
   if (parts.has(Layer::normals)) row.normal("normal");
+  if (parts.has(Layer::sides)) add_side_entries(parts, row);
+  if (parts.has(Layer::points) && !parts.snapshot.points.empty())
+    row.dot("mass, by area", parts.style.mass);
   if (parts.has(Layer::rod_forces)) {
     const double full = options.full_rod_force;
     const std::string most = full > 0.0 ? fmt::format(" to {}", with_prefix(full, "N", 3)) : "";
     row.swatch("tension" + most, parts.style.tension);
     row.swatch("compression" + most, parts.style.compression);
   }
+}
+
+LegendRow measured_legend(const FrameParts& parts, double share) {
+  LegendRow row(parts, LegendRow::Pass::measuring, share);
+  add_entries(parts, row);
+  return row;
+}
+
+/// Of the picture's width: the least at which two rows hold what they can.
+double legend_share(const FrameParts& parts) {
+  const LegendRow widest = measured_legend(parts, 1.0);
+  if (widest.rows() == 1) return 1.0;
+  double share = 0.5;
+  while (share < 1.0 && measured_legend(parts, share).left_out() > widest.left_out())
+    share += 0.05;
+  return std::min(share, 1.0);
 }
 
 }  // namespace
@@ -158,11 +184,12 @@ void add_hud(const FrameParts& parts) {
 }
 
 void add_legend(const FrameParts& parts) {
-  LegendRow measured(parts, LegendRow::Pass::measuring);
-  add_entries(parts, measured);
+  const double share = legend_share(parts);
+  const LegendRow measured = measured_legend(parts, share);
   measured.paint_plate();
-  LegendRow row(parts, LegendRow::Pass::painting, measured.rows());
+  LegendRow row(parts, LegendRow::Pass::painting, share, measured.rows());
   add_entries(parts, row);
+  parts.list.legend_left_out += row.left_out();
 }
 
 }  // namespace wuerfel::internal

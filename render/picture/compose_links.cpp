@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/picture/frame_parts.h"
+#include "render/picture/marks.h"
 
 namespace wuerfel::internal {
 namespace {
@@ -29,10 +29,10 @@ double full_force(const FrameParts& parts) {
 }
 
 /// Strokes of a rod by its force: one, or two beside each other.
-void add_strokes(const FrameParts& parts,
-                 const SnapshotLink& rod,
-                 double full,
-                 std::vector<SegmentShape>& strokes) {
+void include_strokes(const FrameParts& parts,
+                     const SnapshotLink& rod,
+                     double full,
+                     std::vector<SegmentShape>& strokes) {
   SegmentShape stroke;
   stroke.from = parts.pixel(rod.a);
   stroke.to = parts.pixel(rod.b);
@@ -131,14 +131,8 @@ void add_links(const FrameParts& parts) {
   const double full = full_force(parts);
   std::vector<SegmentShape> strokes;
   for (const SnapshotLink& link : parts.snapshot.links)
-    if (!link.pin) add_strokes(parts, link, full, strokes);
-  for (SegmentShape halo : strokes) {
-    halo.half_width += parts.weight(parts.style.halo_width);
-    halo.color = parts.style.halo;
-    if (halo.color.a > 0) parts.list.add(halo);
-  }
-  for (const SegmentShape& stroke : strokes)
-    parts.list.add(stroke);
+    if (!link.pin) include_strokes(parts, link, full, strokes);
+  add_strokes(parts, strokes);
   add_rod_ends(parts);
   add_pins(parts);
   add_masses(parts);

@@ -55,7 +55,12 @@ std::vector<TextShape> symbol(const FrameParts& parts, std::string_view markup) 
 }
 
 /// Beside a place, in a direction of the world as near to the wanted one as is free.
-void place(const FrameParts& parts, std::string_view markup, const Vec2& at, const Vec2& wanted) {
+/// `radius` px around the place are taken.
+void place(const FrameParts& parts,
+           std::string_view markup,
+           const Vec2& at,
+           const Vec2& wanted,
+           double radius = 0.0) {
   std::vector<TextShape> texts = symbol(parts, markup);
   const Area area = common_area(texts, parts.font);
   const double half_width = 0.5 * (area.right - area.left);
@@ -66,8 +71,9 @@ void place(const FrameParts& parts, std::string_view markup, const Vec2& at, con
   for (const int eighths : {0, 1, -1, 2, -2, 3, -3, 4}) {
     const double angle = first + 0.25 * std::numbers::pi * eighths;
     const Vec2 way(std::cos(angle), std::sin(angle));
-    const Vec2 center(static_cast<double>(p.x) + way.x() * (away * parts.unit + half_width),
-                      static_cast<double>(p.y) + way.y() * (away * parts.unit + half_height));
+    const double gap = away * parts.unit + radius;
+    const Vec2 center(static_cast<double>(p.x) + way.x() * (gap + half_width),
+                      static_cast<double>(p.y) + way.y() * (gap + half_height));
     baselines.push_back({static_cast<float>(center.x() - half_width - area.left),
                          static_cast<float>(center.y() - half_height - area.top)});
   }
@@ -148,9 +154,16 @@ void add_contact_symbols(const FrameParts& parts, const SnapshotContact& contact
   add_points_of(parts, {contact.p_i, contact.p_j, contact.p_k});
 }
 
+/// Figure 3 has one area; Figure 4 tells positive ones, A_1, from negative ones, A_2.
+std::string_view area_symbol(const FrameParts& parts, const SnapshotSide& side) {
+  const bool one = parts.snapshot.sides.size() == 1;
+  if (is_negative(side)) return one ? "A < 0" : "A_2 < 0";
+  if (side.area > 0.0) return one ? "A > 0" : "A_1 > 0";
+  return "A = 0";
+}
+
 void add_side_symbols(const FrameParts& parts, const SnapshotSide& side) {
-  const std::string_view area = side.area > 0.0 ? "A_1 > 0" : side.area < 0.0 ? "A_2 < 0" : "A = 0";
-  place_in(parts, area, (side.p_i + side.p_j + side.p_k) / 3.0);
+  place_in(parts, area_symbol(parts, side), (side.p_i + side.p_j + side.p_k) / 3.0);
   add_points_of(parts, {side.p_i, side.p_j, side.p_k});
 }
 
@@ -177,7 +190,8 @@ void add_mass_symbols(const FrameParts& parts) {
     const SnapshotBox& box = boxes[k / each];
     const Vec2 way = points[k].position - box.center;
     const Vec2 outwards = way.norm() > 1e-9 * box.size.norm() ? way : Vec2::UnitX();
-    place(parts, share_of(points[k].mass / box.mass), points[k].position, outwards);
+    const double radius = 0.7 * static_cast<double>(mass_radius(parts, points[k]));
+    place(parts, share_of(points[k].mass / box.mass), points[k].position, outwards, radius);
   }
 }
 

@@ -116,8 +116,8 @@ void add_whiskers(const FrameParts& parts) {
   paint(parts, whiskers);
 }
 
-void paint_whisker(const FrameParts& parts, Pixel from, Pixel to) {
-  WhiskerPen(parts, {from, to}).paint(line_width, parts.style.whisker);
+void paint_whisker(const FrameParts& parts, Pixel from, Pixel to, bool goes_on) {
+  WhiskerPen(parts, {from, to, goes_on}).paint(line_width, parts.style.whisker);
 }
 
 }  // namespace wuerfel::internal

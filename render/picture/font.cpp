@@ -97,6 +97,12 @@ void Font::select_size(double size) {
 }
 
 double Font::advance(char32_t letter, char32_t next, double size) {
+  const auto [known, is_new] = advances_.try_emplace({letter, next, fixed_point(size)});
+  if (is_new) known->second = measured_advance(letter, next, size);
+  return known->second;
+}
+
+double Font::measured_advance(char32_t letter, char32_t next, double size) {
   select_size(size);
   const FT_UInt index = FT_Get_Char_Index(face_.get(), letter);
   FT_Fixed advance = 0;  // 16.16, not rounded to whole pixels

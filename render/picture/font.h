@@ -62,10 +62,12 @@ class Font {
   using Key = std::tuple<char32_t, long, int, long>;
 
   void select_size(double size);
+  double measured_advance(char32_t letter, char32_t next, double size);
   std::unique_ptr<FT_LibraryRec_, LibraryDeleter> library_;
   std::unique_ptr<FT_FaceRec_, FaceDeleter> face_;
   long selected_size_ = 0;  ///< 1/64 px
   std::map<Key, Glyph> glyphs_;
+  std::map<std::tuple<char32_t, char32_t, long>, double> advances_;
 };
 
 }  // namespace wuerfel

@@ -106,19 +106,23 @@ bool ForceRange::cuts(const ForceScale& scale) const {
   return scale.cuts(largest_) || scale.metres_per_newton * steepest_ > 1.0 + 1e-6;
 }
 
+double ForceRange::ordinary() const {
+  const auto wanted =
+      static_cast<std::uint64_t>(std::ceil(ordinary_share * static_cast<double>(count_)));
+  std::size_t bin = 0;
+  for (std::uint64_t seen = histogram_[0]; seen < wanted; seen += histogram_.at(bin))
+    ++bin;
+  const double upper_end =
+      std::exp2((static_cast<double>(bin) + 1.0) / bins_per_octave - 0.5 * octaves);
+  return std::min(upper_end, largest_);
+}
+
 ForceScale ForceRange::scale() const {
   ForceScale scale;
   const double side = typical_side();
   double full = weight_ / largest_weight_in_sides;  // N, of one side
   if (count_ > 0) {
-    const auto wanted =
-        static_cast<std::uint64_t>(std::ceil(ordinary_share * static_cast<double>(count_)));
-    std::size_t bin = 0;
-    for (std::uint64_t seen = histogram_[0]; seen < wanted; seen += histogram_.at(bin))
-      ++bin;
-    const double upper_end =
-        std::exp2((static_cast<double>(bin) + 1.0) / bins_per_octave - 0.5 * octaves);
-    full = std::max(full, std::min(upper_end, largest_) / longest_in_sides);
+    full = std::max(full, ordinary() / longest_in_sides);
     if (weight_ > 0.0) full = std::min(full, weight_ / least_weight_in_sides);
   }
   if (!(full > 0.0)) return scale;

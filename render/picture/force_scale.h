@@ -41,6 +41,8 @@ JointArrow joint_arrow(const Snapshot& snapshot,
 class ForceRange {
  public:
   void include(const Snapshot& snapshot);
+  void include(double magnitude);  ///< N
+  double ordinary() const;         ///< N, that at most a twentieth of all forces exceeds
   double largest() const { return largest_; }    ///< N
   double smallest() const { return smallest_; }  ///< N, greater than 0; 0 where there was none
   /// Whether any of the forces is longer than its arrow.
@@ -55,8 +57,6 @@ class ForceRange {
   ForceScale scale() const;
 
  private:
-  void include(double magnitude);
-
   static constexpr int bins_per_octave = 8;
   static constexpr int octaves = 400;
   std::array<std::uint64_t, static_cast<std::size_t>(bins_per_octave* octaves)> histogram_{};

@@ -31,6 +31,9 @@ struct FrameOptions {
 constexpr int crowd = 300;
 bool is_crowd(const Snapshot& snapshot);
 
+/// Whether a corner is behind its side by more than rounding: what may not be.
+bool is_negative(const SnapshotSide& side);
+
 /// Whether the layer forces tells where they run: the layer thrust does it louder.
 bool shows_paths(const FrameOptions& options);
 

@@ -1,6 +1,7 @@
 /// The parts of a frame in painting order; compose_frame calls them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -63,9 +64,12 @@ void add_trails(const FrameParts& parts);
 void add_ghosts(const FrameParts& parts);
 void add_bodies(const FrameParts& parts);
 void add_sides(const FrameParts& parts);
+/// The triangle of p_i, p_j, p_k; hatched where it is negative.
+void paint_side(const FrameParts& parts, const std::array<Pixel, 3>& corners, bool negative);
 void add_rods(const FrameParts& parts);
 void add_rod_forces(const FrameParts& parts);
 void add_points(const FrameParts& parts);
+float mass_radius(const FrameParts& parts, const SnapshotPoint& point);  ///< px
 void add_links(const FrameParts& parts);
 void add_mass_names(const FrameParts& parts);
 void add_contacts(const FrameParts& parts);
@@ -90,7 +94,8 @@ void add_hud(const FrameParts& parts);
 /// The foot of the HUD alone.
 void add_legend(const FrameParts& parts);
 void add_whiskers(const FrameParts& parts);
-void paint_whisker(const FrameParts& parts, Pixel from, Pixel to);
+/// `goes_on`: farther than it is drawn.
+void paint_whisker(const FrameParts& parts, Pixel from, Pixel to, bool goes_on);
 void add_causes(const FrameParts& parts);
 void add_mechanism(const FrameParts& parts);
 /// Fixes of Snapshot::reason, and its words in the place of the HUD.

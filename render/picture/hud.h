@@ -14,6 +14,9 @@ constexpr double hud_margin = 20.0;  ///< px of a 1280x720 picture
 /// A plate in the colours of background and ground, on which no label comes to lie.
 void add_plate(const FrameParts& parts, const Area& area);
 
+/// A rectangle without an outline.
+void add_bar(const FrameParts& parts, const Area& area, Color color);
+
 /// Lines of text on a plate.
 class HudText {
  public:
@@ -38,13 +41,15 @@ struct ArrowMarks {
   bool cut = false;
 };
 
-/// A row of symbols with labels, from left to right, or two; what has no room then is left out and counted. It is
-/// gone through twice: measured, so that the plate is as large as the rows, and painted.
+/// A row of symbols with labels, from left to right, or two, over a share of the picture's width; what has no room
+/// then is left out and counted. It is gone through again and again: measured, so that the plate is as large as the
+/// rows and two are about as long as each other, and painted.
 class LegendRow {
  public:
   enum class Pass { measuring, painting };
-  LegendRow(const FrameParts& parts, Pass pass, int rows = 1);
+  LegendRow(const FrameParts& parts, Pass pass, double share, int rows = 1);
   [[nodiscard]] int rows() const { return row_ + 1; }
+  [[nodiscard]] int left_out() const { return left_out_; }
 
   void scale_bar();
   /// An arrow of a round number of units.
@@ -57,8 +62,10 @@ class LegendRow {
   /// A thick stroke: rods in tension or compression.
   void swatch(std::string_view meaning, Color color);
   void dashes(std::string_view meaning, Color color);
+  /// A side with its corner.
+  void triangle(std::string_view meaning, bool negative);
   void comb(std::string_view meaning, Color color);
-  void whisker(std::string_view meaning);
+  void whisker(std::string_view meaning, bool goes_on);
   /// A dashed square.
   void moved_box(std::string_view meaning, Color color);
   /// A square in a thick outline.
@@ -78,7 +85,9 @@ class LegendRow {
   double x_;
   double baseline_;  ///< of the row at hand
   double right_;     ///< where the longest row ends
+  double end_;       ///< that no row may exceed
   int row_ = 0;
+  int left_out_ = 0;  ///< entries
 };
 
 /// The scale of the bodies' colours where they are numbers.

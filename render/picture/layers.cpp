@@ -12,8 +12,9 @@ constexpr std::array<std::string_view, 24> layer_names{
     "mechanism",      "causes", "rod-forces", "velocities", "trails",  "contacts",
     "grid",           "names",  "values",     "symbols",    "hud",     "instances"};
 
-constexpr std::array<std::string_view, 9> legend_names{
-    "contact", "friction", "cut", "hidden", "several", "impact", "range", "mechanism", "cause"};
+constexpr std::array<std::string_view, 12> legend_names{
+    "contact", "friction",  "cut",   "hidden", "several",  "impact",
+    "range",   "mechanism", "cause", "above",  "negative", "beyond"};
 
 template <typename Names, typename Enum>
 std::string_view name_of(const Names& names, Enum member) {

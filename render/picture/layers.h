@@ -55,6 +55,9 @@ enum class LegendEntry {
   range,     ///< whiskers
   mechanism,
   cause,
+  above,     ///< loads or speeds beyond the last colour
+  negative,  ///< a corner behind its side
+  beyond,    ///< whiskers longer than they are drawn
 };
 
 using Legend = EnumSet<LegendEntry>;

@@ -13,14 +13,30 @@ constexpr double label_distance = 9.0;  ///< px
 
 }  // namespace
 
-void frame_box(
-    const FrameParts& parts, const SnapshotBox& box, double width, Color line, Color fill) {
-  const double ppm = parts.view.pixels_per_metre;
+BoxShape box_shape(const View& view, const SnapshotBox& box) {
+  const double ppm = view.pixels_per_metre;
+  const Vec2 center = view.to_pixel(box.center);
   BoxShape shape;
-  shape.center = parts.pixel(box.center);
+  shape.center = {static_cast<float>(center.x()), static_cast<float>(center.y())};
   shape.axis = {static_cast<float>(std::cos(box.angle)), static_cast<float>(-std::sin(box.angle))};
   shape.half_size = {static_cast<float>(0.5 * box.size.x() * ppm),
                      static_cast<float>(0.5 * box.size.y() * ppm)};
+  return shape;
+}
+
+void add_strokes(const FrameParts& parts, const std::vector<SegmentShape>& strokes) {
+  for (SegmentShape halo : strokes) {
+    halo.half_width += parts.weight(parts.style.halo_width);
+    halo.color = parts.style.halo;
+    if (halo.color.a > 0) parts.list.add(halo);
+  }
+  for (const SegmentShape& stroke : strokes)
+    parts.list.add(stroke);
+}
+
+void frame_box(
+    const FrameParts& parts, const SnapshotBox& box, double width, Color line, Color fill) {
+  BoxShape shape = box_shape(parts.view, box);
   const float smaller = std::min(shape.half_size.x, shape.half_size.y);
   shape.outline_width = std::min(parts.weight(width), 0.3F * smaller);
   shape.outline = line;

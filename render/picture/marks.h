@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/picture/frame_parts.h"
 
@@ -9,6 +10,10 @@ namespace wuerfel::internal {
 
 constexpr double mark_arrow_length = 64.0;  ///< px
 
+/// Where a box is and how large in pixels; its colours are its caller's.
+BoxShape box_shape(const View& view, const SnapshotBox& box);
+/// Halos first, then the strokes.
+void add_strokes(const FrameParts& parts, const std::vector<SegmentShape>& strokes);
 /// A box with an outline inside.
 void frame_box(
     const FrameParts& parts, const SnapshotBox& box, double width, Color line, Color fill);

@@ -22,8 +22,7 @@ std::vector<Snapshot> frames(const Scene& scene, const LookBack& back, double en
   Simulation simulation(scene, {});
   const SnapshotRequest request{.joints = true, .unique = true};
   FrameTaker taker(request, request, back);
-  const auto instants =
-      with_looks(timetable(end, frame_times(end, {.fps = 50.0}), {}), back.average);
+  const auto instants = with_looks(timetable(end, frame_times(end, {.fps = 50.0}), {}), back);
   for (const Instant& instant : instants) {
     simulation.advance_to(instant.t);
     if (auto snapshot = taker.take(simulation, simulation.moment(), instant))
@@ -33,18 +32,18 @@ std::vector<Snapshot> frames(const Scene& scene, const LookBack& back, double en
 }
 
 TEST(Looks, LieBeforeTheirFrames) {
-  const auto instants = with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), 0.1);
+  const auto instants = with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), {0.1});
   EXPECT_EQ(instants.size(), 3U + 2U * 3U);
   EXPECT_NEAR(instants[1].t, 0.025, 1e-15);
   EXPECT_TRUE(instants[1].look);
   EXPECT_FALSE(instants[1].frame);
-  EXPECT_EQ(with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), 0.0).size(), 3U);
+  EXPECT_EQ(with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), {}).size(), 3U);
 }
 
 TEST(Looks, AreNotTakenBeforeFramesOfPosesAlone) {
   auto instants = timetable(0.2, {0.0, 0.1, 0.2}, {});
   instants[1].bare = true;
-  EXPECT_EQ(with_looks(instants, 0.1).size(), 3U + 3U);
+  EXPECT_EQ(with_looks(instants, {0.1}).size(), 3U + 3U);
 }
 
 TEST(MarkScales, TakesAllFramesOfShortFilmsAndFortyOfLongOnes) {
@@ -69,6 +68,54 @@ TEST(FrameTaker, ForcesOfRestAreWhatTheyAreAtAnyInstant) {
     EXPECT_NEAR(snapshot.joints[0].force.y(), 2.0 * 9.81, 1e-10);
     EXPECT_NEAR(snapshot.joints[0].point.x(), 0.0, 1e-12);
   }
+}
+
+TEST(FrameTaker, WhatDoesNotMoveIsLookedAtOnce) {
+  Scene scene = falling_cube();
+  scene.cubes[0].position.y() = 0.5;
+  Simulation simulation(scene, {});
+  FrameTaker taker({.joints = true}, {.joints = true}, {0.02, 0.15});
+  const auto instants = with_looks(timetable(1.0, frame_times(1.0, {.fps = 50.0}), {}), {0.02});
+  std::vector<SnapshotJoint> first;
+  for (const Instant& instant : instants) {
+    simulation.advance_to(instant.t);
+    const auto shown = taker.take(simulation, simulation.moment(), instant);
+    if (!shown) continue;
+    if (first.empty()) first = shown->joints;
+    EXPECT_EQ(shown->joints, first);
+    EXPECT_EQ(shown->time, instant.t);
+  }
+  EXPECT_EQ(simulation.look_cost().force_choices, 1);
+  EXPECT_EQ(simulation.look_cost().unchanged, 0);
+}
+
+TEST(FrameTaker, LoadsGrowWithinAMoment) {
+  const LookBack back{0.02, 0.15, 0.15};
+  const auto shown = frames(falling_cube(), back, 0.8);
+  double before = 0.0;
+  for (const Snapshot& snapshot : shown) {
+    ASSERT_EQ(snapshot.loads.size(), 1U);
+    EXPECT_LT(std::abs(snapshot.loads[0] - before), 0.2 * 2.0 * 9.81) << snapshot.time;
+    before = snapshot.loads[0];
+  }
+  EXPECT_NEAR(before, 2.0 * 9.81, 1e-10);
+  EXPECT_LT(shown[17].loads[0], 0.3 * 2.0 * 9.81) << "just after the impact";
+}
+
+TEST(FrameTaker, LoadsOfOnePictureAreThoseOfTheFilm) {
+  const LookBack back{0.02, 0.15, 0.15};
+  const Snapshot of_film = frames(falling_cube(), back, 0.4)[19];
+  Simulation simulation(falling_cube(), {});
+  FrameTaker taker({.joints = true}, {.joints = true}, back);
+  std::vector<Instant> instants{{.t = of_film.time, .frame = true, .sample = true}};
+  std::optional<Snapshot> alone;
+  for (const Instant& instant : with_looks(instants, back)) {
+    simulation.advance_to(instant.t);
+    alone = taker.take(simulation, simulation.moment(), instant);
+  }
+  ASSERT_TRUE(alone);
+  EXPECT_GT(alone->loads[0], 0.0);
+  EXPECT_NEAR(alone->loads[0], of_film.loads[0], 1e-9);
 }
 
 TEST(FrameTaker, AnImpactBetweenTwoFramesIsSeen) {

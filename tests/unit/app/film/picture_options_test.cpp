@@ -1,5 +1,8 @@
 #include "app/film/picture_options.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/image_scenes.h"
@@ -41,6 +44,49 @@ TEST(LegendOf, NamesWhatOccursAndNothingElse) {
   EXPECT_TRUE(legend().has(LegendEntry::friction));
   EXPECT_TRUE(legend().has(LegendEntry::several));
   EXPECT_TRUE(legend().has(LegendEntry::impact));
+}
+
+TEST(FitScales, LoadsFitWhatIsTypicalAndSayThatThereIsMore) {
+  Snapshot snapshot = test::pyramid_snapshot();
+  const Layers layers{Layer::cubes};
+  const auto colored = [&](const MotionRange& range) {
+    PictureOptions options;
+    options.layers = layers;
+    options.size = {1280, 720};
+    options.camera = parse_camera("0,2,10");
+    options.color_by = ColorBy::load;
+    options = fit_scales(options, range);
+    options.legend = legend_of(options, range);
+    return options;
+  };
+  MotionRange steady;
+  for (int frame = 0; frame < 20; ++frame)
+    steady.include(snapshot);
+  const double largest = *colored(steady).color_top;
+  EXPECT_DOUBLE_EQ(largest, std::ranges::max(loads(snapshot)));
+  EXPECT_FALSE(colored(steady).legend->has(LegendEntry::above));
+  MotionRange peaked = steady;
+  snapshot.joints[0].force *= 1000.0;
+  peaked.include(snapshot);
+  EXPECT_LE(*colored(peaked).color_top, 1.1 * largest);
+  EXPECT_TRUE(colored(peaked).legend->has(LegendEntry::above));
+}
+
+TEST(LegendOf, TellsOfWhiskersThatGoOn) {
+  Snapshot snapshot = test::failing_snapshot();
+  const auto goes_on = [&] {
+    return legend_of(fitted({Layer::forces, Layer::whiskers}, range_of(snapshot)),
+                     range_of(snapshot))
+        .has(LegendEntry::beyond);
+  };
+  for (SnapshotJoint& joint : snapshot.joints)
+    joint.range.reset();
+  for (SnapshotForce& force : snapshot.forces)
+    force.range.reset();
+  snapshot.joints[0].range = {0.0, snapshot.joints[0].force.norm()};
+  EXPECT_FALSE(goes_on());
+  snapshot.joints[0].range->most = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(goes_on());
 }
 
 TEST(FitScales, ComparesAccelerationsWithFreeFall) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -403,6 +404,92 @@ TEST_F(Composition, LegendEntriesWithoutRoomAreCounted) {
   };
   EXPECT_EQ(left_out(1280), 0);
   EXPECT_GT(left_out(200), 0);
+}
+
+TEST_F(Composition, TwoRowsOfALegendAreAboutAsLongAsEachOther) {
+  options.legend = {LegendEntry::contact, LegendEntry::friction, LegendEntry::cut,
+                    LegendEntry::several, LegendEntry::hidden,   LegendEntry::impact};
+  options.layers = {Layer::contact_forces, Layer::forces, Layer::weights, Layer::hud};
+  view = test::literal_view(snapshot, style, options, 1000, 500);
+  const DrawList list = compose_frame(snapshot, view, style, options, font);
+  ASSERT_EQ(list.legend_left_out, 0);
+  std::map<float, double> end_of_row;
+  for (const TextShape& text : list.texts)
+    if (text.baseline.y > 450.0F)
+      end_of_row[text.baseline.y] =
+          std::max(end_of_row[text.baseline.y], internal::text_area(text, font).right);
+  ASSERT_EQ(end_of_row.size(), 2U);
+  const double first = end_of_row.begin()->second;
+  const double second = end_of_row.rbegin()->second;
+  EXPECT_LT(std::max(first, second), 1.4 * std::min(first, second));
+}
+
+TEST_F(Composition, TheLegendNamesSidesMassesAndWhiskers) {
+  const auto says = [&](Layers layers, std::string_view what) {
+    options.layers = layers;
+    view = test::literal_view(snapshot, style, options, 1280, 720);
+    const DrawList list = compose_frame(snapshot, view, style, options, font);
+    return std::ranges::any_of(list.texts,
+                               [&](const TextShape& text) { return text.text == what; });
+  };
+  EXPECT_TRUE(says({Layer::sides, Layer::hud}, "A ≥ 0"));
+  EXPECT_FALSE(says({Layer::sides, Layer::hud}, "A < 0"));
+  options.legend.insert(LegendEntry::negative);
+  EXPECT_TRUE(says({Layer::sides, Layer::hud}, "A < 0"));
+  EXPECT_TRUE(says({Layer::points, Layer::hud}, "mass, by area"));
+  options.legend.insert(LegendEntry::range);
+  EXPECT_TRUE(says({Layer::forces, Layer::whiskers, Layer::hud}, "from least to most"));
+  EXPECT_FALSE(says({Layer::forces, Layer::whiskers, Layer::hud}, "and on"));
+  options.legend.insert(LegendEntry::beyond);
+  EXPECT_TRUE(says({Layer::forces, Layer::whiskers, Layer::hud}, "and on"));
+}
+
+TEST_F(Composition, ColorBarsPointUpWhereThereIsMore) {
+  options.coloring = {ColorBy::load, 40.0};
+  const auto written = [&] {
+    std::string all;
+    for (const TextShape& text : compose({Layer::cubes, Layer::hud}).texts)
+      all += text.text + "|";
+    return all;
+  };
+  const auto points = [&] { return compose({Layer::cubes, Layer::hud}).triangles.size(); };
+  EXPECT_NE(written().find("|40 N|"), std::string::npos) << written();
+  const std::size_t before = points();
+  options.legend.insert(LegendEntry::above);
+  EXPECT_NE(written().find("|≥ 40 N|"), std::string::npos) << written();
+  EXPECT_EQ(points(), before + 1);
+}
+
+TEST_F(Composition, SmallBodiesHaveOneAccelerationAndThinOnesTwoMore) {
+  snapshot.planes.clear();
+  snapshot.boxes.resize(1);
+  snapshot.boxes[0].acceleration = Vec2(0.0, -9.81);
+  snapshot.boxes[0].angular_acceleration = 30.0;
+  options.layers = {Layer::accelerations};
+  view = {1280, 720, snapshot.boxes[0].center, 100.0};
+  const auto arrows = [&](const Vec2& size) {
+    snapshot.boxes[0].size = size;
+    return compose_frame(snapshot, view, style, options, font).segments.size() / (2U * 5U);
+  };
+  EXPECT_EQ(arrows({1.0, 1.0}), 5U);
+  EXPECT_EQ(arrows({3.0, 0.1}), 3U);
+  EXPECT_EQ(arrows({0.2, 0.2}), 1U);
+}
+
+TEST_F(Composition, NumbersKeepOffTheGroundLine) {
+  for (const TextShape& text :
+       compose({Layer::cubes, Layer::forces, Layer::weights, Layer::values}).texts) {
+    const internal::Area area = internal::text_area(text, font);
+    const double ground = view.to_pixel(Vec2::Zero()).y();
+    EXPECT_FALSE(area.top < ground && ground < area.bottom) << text.text;
+  }
+}
+
+TEST_F(Composition, WeightsAndTextGrowWithThePicture) {
+  EXPECT_DOUBLE_EQ(frame_unit(1280, 720, 1.0), 1.0);
+  EXPECT_DOUBLE_EQ(frame_unit(2560, 1440, 1.0), 2.0) << "what --scale 2 would double again";
+  EXPECT_DOUBLE_EQ(frame_unit(2560, 1440, 2.0), 4.0);
+  EXPECT_NEAR(frame_unit(320, 240, 1.0), 0.62, 1e-12) << "never below what can be read";
 }
 
 TEST_F(Composition, ArrowsThatAThinBodyCutsBeginBehindIt) {

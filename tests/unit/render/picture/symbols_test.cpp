@@ -93,6 +93,23 @@ TEST_F(Symbols, TellTheSignsOfAreas) {
     EXPECT_NE(all.find(wanted), std::string::npos) << wanted << " in " << all;
 }
 
+TEST_F(Symbols, NameOneAreaByItsLetterAlone) {
+  snapshot = test::two_cubes_snapshot();
+  snapshot.sides.resize(1);
+  const std::string all = written(compose({Layer::cubes, Layer::sides, Layer::symbols}));
+  EXPECT_NE(all.find("A > 0"), std::string::npos) << all;
+}
+
+TEST_F(Symbols, TakeTheRoundingOfATouchingCornerForZero) {
+  snapshot = test::two_cubes_snapshot();
+  snapshot.sides.resize(1);
+  SnapshotSide& side = snapshot.sides[0];
+  side.area = -1e-12 * (side.p_j - side.p_i).squaredNorm();
+  EXPECT_FALSE(is_negative(side));
+  side.area *= 1e4;
+  EXPECT_TRUE(is_negative(side));
+}
+
 TEST_F(Symbols, TellMassesAsSharesOfTheCube) {
   snapshot.boxes.resize(1);
   snapshot.boxes[0].mass = 3.0;
