@@ -54,7 +54,6 @@ void add_impacts(const System& system,
                  double t,
                  EventKind kind,
                  Instant& now) {
-  now.push += push_of(system, now.state, island, hit.after);
   const double least = hit.after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
@@ -104,6 +103,8 @@ bool jam_rods(const Island& island, double t, bool hits, Instant& now, Workspace
   for (Event& e : jam_events(system, before, now.state, jam.rods, t))
     now.events.push_back(std::move(e));
   add_impacts(system, island, jam.hit, t, EventKind::jam, now);
+  // What they give acts across the rods, not along.
+  now.push += unexplained(system, before, now.state, 0.0, {});
   return true;
 }
 
@@ -190,6 +191,7 @@ void happen_to(const Island& island,
     work.solves.add(hit.after);
     add_jerks(system, island, now.state, hit, t, now);
     set_velocities(island, hit.after.twists, now.state);
+    now.push += push_of(system, now.state, island, hit.after);
     add_impacts(system, island, hit, t, EventKind::impact, now);
   }
   hits = jam_rods(island, t, hits, now, work) || hits;
@@ -201,6 +203,7 @@ void happen_to(const Island& island,
       const Impact hit = jam(system, now.state, island, work.friction);
       work.solves.add(hit.after);
       set_velocities(island, hit.after.twists, now.state);
+      now.push += push_of(system, now.state, island, hit.after);
       add_impacts(system, island, hit, t, EventKind::jam, now);
       modes = find_modes(island, now.state, scales, true, work);
     }
