@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <poll.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -32,6 +33,21 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, ignored);
 }
 
+/// Opens a pipe or a device for writing. A pipe waits for its reader, but not against a signal; -1: errno says why not.
+int open_special(const std::string& path) {
+  constexpr int pause = 50;  // ms
+  std::error_code ignored;
+  const bool is_pipe = std::filesystem::is_fifo(path, ignored);
+  int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  while (descriptor < 0 && errno == ENXIO && is_pipe) {
+    StopSignal(StopSignal::Ear::deaf).check();
+    ::poll(nullptr, 0, pause);
+    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  }
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, O_WRONLY);  // what is written may wait again
+  return descriptor;
+}
+
 bool is_pipe_or_device(const std::string& path) {
   std::error_code ignored;
   using std::filesystem::file_type;
@@ -46,7 +62,7 @@ TextOutput::TextOutput(const std::string& path) : name_(path) {
     name_ = "standard output";
     descriptor_ = STDOUT_FILENO;
   } else if (is_pipe_or_device(path)) {
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = open_special(path);
     if (descriptor_ < 0) fail();
   } else if (is_folder(path)) {
     throw OutputError(fmt::format("cannot write {}: it is a folder", path));

@@ -95,6 +95,25 @@ class Ffmpeg(ProgramTest):
         self.assertEqual(self.files(), ["bin", "scene.json"])
 
 
+class Pipes(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        os.mkfifo(self.path("pipe"))
+        self.process = subprocess.Popen([PROGRAM, "run", self.scene(FLYING), "--states", "pipe", "--fps", "2"], cwd=self.folder, stderr=subprocess.DEVNULL)
+        time.sleep(0.5)
+
+    def test_one_that_nobody_reads_can_be_left(self):
+        self.assertIsNone(self.process.poll())
+        self.process.terminate()
+        self.assertEqual(self.process.wait(timeout=30), 128 + signal.SIGTERM)
+
+    def test_a_late_reader_gets_all(self):
+        with open(self.path("pipe")) as file:
+            lines = file.read().splitlines()
+        self.assertEqual(self.process.wait(timeout=30), 0)
+        self.assertEqual([line.split(",")[0] for line in lines], ["t", "0", "0.5", "1"])
+
+
 class Names(ProgramTest):
     def test_umlauts_and_spaces(self):
         self.scene(STANDING, "ein Türmchen (1).json")
