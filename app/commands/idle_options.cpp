@@ -87,13 +87,17 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
   if (!layers.has(Layer::contact_forces) && !layers.has(Layer::weights)
       && !layers.has(Layer::joints))
     without(Layer::forces, "--force-scale");
-  without(Layer::forces, "--average");
+  if (!layers.has(Layer::joints) && !layers.has(Layer::thrust) && !options.given("--color"))
+    without(Layer::forces, "--average");
   without(Layer::accelerations, "--acceleration-scale");
   without(Layer::velocities, "--velocity-scale");
   without(Layer::rod_forces, "--rod-scale");
   if (layers.has(Layer::whiskers) && !layers.has(Layer::forces)
       && !layers.has(Layer::contact_forces))
     notes.add("the layer whiskers shows nothing without forces or contact-forces");
+  if (layers.has(Layer::values) && !layers.has(Layer::forces) && !layers.has(Layer::contact_forces)
+      && !layers.has(Layer::joints) && !layers.has(Layer::weights))
+    notes.add("the layer values shows nothing without forces, contact-forces, joints or weights");
 }
 
 }  // namespace wuerfel

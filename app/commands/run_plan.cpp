@@ -96,10 +96,11 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
                             frames.empty() ? marks_until(plan.end, asked) : std::vector<double>{});
   mark_scales(plan.instants);
   if (!asked.outputs.empty()) {
-    plan.request = snapshot_request(asked.picture, scene.cubes.size());
-    plan.back = look_back(asked.picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);
-    plan.instants =
-        with_looks(std::move(plan.instants), plan.back);
+    PictureOptions picture = asked.picture;
+    picture.color_by = color_by(picture, scene.cubes.size());
+    plan.request = snapshot_request(picture, scene.cubes.size());
+    plan.back = look_back(picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);
+    plan.instants = with_looks(std::move(plan.instants), plan.back);
   }
   if (!asked.forces.empty()) plan.request.forces = true;
   return plan;

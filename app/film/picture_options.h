@@ -61,6 +61,9 @@ constexpr double largest_auto_height = 1.25;
 /// px: the height of pictures so wide, in which all of the motion just fits. Scales are fitted.
 int auto_height(const PictureOptions& scaled, const Recording& motion);
 
+/// Whether arrows of forces, or pressures, are drawn.
+bool draws_forces(Layers layers);
+
 /// True where only the whole motion can tell how the first picture looks.
 bool needs_whole_motion(const PictureOptions& options);
 

@@ -60,9 +60,11 @@ void add_color_bar(const FrameParts& parts) {
     parts.list.texts.push_back(std::move(shape));
   };
   write(load ? "load" : "speed", bar.left, title);
-  for (const double share : {0.0, 0.5, 1.0})
+  for (const double share : {0.0, 0.5, 1.0}) {
+    if (share > 0.0 && !(top > 0.0)) break;  // all of them bear nothing, or rest
     write((above && share == 1.0 ? "≥ " : "") + with_prefix(share * top, load ? "N" : "m/s", 3),
           bar.right + 6.0 * unit, bar.bottom + share * (bar.top - bar.bottom) + 0.36 * size);
+  }
 }
 
 }  // namespace wuerfel::internal

@@ -251,6 +251,17 @@ void add_impacts(const FrameParts& parts) {
   }
 }
 
+void add_joint_values(const FrameParts& parts) {
+  const ForceScale& scale = parts.options.force_scale;
+  for (const SnapshotJoint& joint : parts.snapshot.joints) {
+    const JointArrow arrow = joint_arrow(parts.snapshot, joint, scale);
+    if (!(arrow.length() > 0.0)) continue;
+    const ArrowShape shape =
+        styled_arrow(parts, parts.pixel(arrow.tail), parts.pixel(arrow.tip), joint_color(parts));
+    label_arrow(parts, {shape, ArrowForm::filled, false, joint.force.norm()});
+  }
+}
+
 void add_values(const FrameParts& parts, const std::vector<PendingArrow>& arrows) {
   for (const PendingArrow& arrow : arrows)
     if (arrow.newton > 0.0) label_arrow(parts, arrow);

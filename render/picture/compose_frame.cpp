@@ -169,6 +169,7 @@ DrawList compose_frame(const Snapshot& snapshot,
   if (!snapshot.reason && parts.has(Layer::hud)) part("hud", internal::add_hud);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
+  if (parts.has(Layer::joints) && !parts.has(Layer::forces)) add_joint_values(parts);
   if (parts.has(Layer::symbols)) part("symbols", internal::add_symbols);
   if (parts.has(Layer::names)) {
     add_names(parts);

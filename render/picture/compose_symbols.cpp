@@ -157,8 +157,10 @@ void add_contact_symbols(const FrameParts& parts, const SnapshotContact& contact
 /// Figure 3 has one area; Figure 4 tells positive ones, A_1, from negative ones, A_2.
 std::string_view area_symbol(const FrameParts& parts, const SnapshotSide& side) {
   const bool one = parts.snapshot.sides.size() == 1;
+  SnapshotSide mirrored = side;
+  mirrored.area = -side.area;
   if (is_negative(side)) return one ? "A < 0" : "A_2 < 0";
-  if (side.area > 0.0) return one ? "A > 0" : "A_1 > 0";
+  if (is_negative(mirrored)) return one ? "A > 0" : "A_1 > 0";
   return "A = 0";
 }
 
@@ -217,6 +219,9 @@ void add_symbols(const FrameParts& parts) {
     for (const SnapshotSide& side : sides)
       add_side_symbols(parts, side);
   }
+  if (sides.empty() && std::ssize(parts.snapshot.contacts) > most)
+    parts.list.labels_left_out += static_cast<int>(std::ssize(parts.snapshot.contacts));
+  if (std::ssize(sides) > most) parts.list.labels_left_out += static_cast<int>(std::ssize(sides));
   if (!sides.empty() || !shows_symbols(parts)) return;
   const std::vector<SnapshotContact> contacts = named_contacts(parts);
   for (const SnapshotContact& contact : contacts)

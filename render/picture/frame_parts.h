@@ -109,6 +109,9 @@ void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows);
 /// Numbers beside the arrows, where there is room.
 void add_values(const FrameParts& parts, const std::vector<PendingArrow>& arrows);
 
+/// Numbers of joints whose arrows are not drawn.
+void add_joint_values(const FrameParts& parts);
+
 /// N; smaller forces are dots: their arrows would be shorter than a head.
 double least_arrow(const FrameParts& parts);
 

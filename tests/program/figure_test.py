@@ -142,15 +142,25 @@ class Formats(ProgramTest):
         self.assertNotIn("thrust", texts)
 
     def test_the_papers_symbols_stand_in_its_figures(self):
-        for scene, layers, symbols in (("fig3_sides", "cubes,sides", "p i p j p k A 1"),
-                                       ("fig5_velocities", "cubes,normals,velocities", "p i p j p k v i v j v k α n"),
-                                       ("fig6_relative_motion", "cubes,normals,velocities", "w i,j w k v k n"),
-                                       ("fig7_masses", "cubes,points", "m/12 2m/3")):
+        for scene, layers, symbols in (("fig3_sides", "cubes,sides", "p|i|j|k|A > 0"),
+                                       ("fig5_velocities", "cubes,normals,velocities", "p|i|j|k|v|α|1 − α|n"),
+                                       ("fig6_relative_motion", "cubes,normals,velocities", "w|i,j|k|v|n"),
+                                       ("fig7_masses", "cubes,points", "m/12|2m/3")):
             with self.subTest(scene):
                 self.expect(0, "figure", scene, "--layers", layers + ",symbols", "-o", "f.svg")
                 with open(self.path("f.svg")) as file:
                     texts = {text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")}
-                self.assertLessEqual(set(symbols.split()), texts)
+                self.assertLessEqual(set(symbols.split("|")), texts)
+
+    def test_layers_that_show_nothing_alone_are_told(self):
+        done = self.expect(0, "figure", self.scene(STANDING), "--layers", "cubes,values", "-o", "f.png", *SMALL)
+        self.assertIn("the layer values shows nothing without", done.stderr)
+
+    def test_loads_have_the_colours_of_the_film(self):
+        scene = self.scene({**STANDING, "cube": [{"name": "a", "size": 1, "position": [0, 0.5]}, {"name": "b", "size": 1, "position": [0.2, 1.8]}]})
+        loads = ("--color", "load", "--layers", "cubes,hud", *SMALL)
+        self.expect(0, "run", scene, "-o", "film/", "--until", "0.6", "--fps", "20", *loads)
+        self.expect(0, "reproduce", "film/frame_000010.png")
 
     def test_letters_that_the_font_does_not_have_are_told(self):
         done = self.expect(0, "figure", self.scene({**STANDING, "title": "立方体"}), "-o", "f.png", *SMALL)

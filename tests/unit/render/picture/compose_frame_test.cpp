@@ -476,6 +476,19 @@ TEST_F(Composition, SmallBodiesHaveOneAccelerationAndThinOnesTwoMore) {
   EXPECT_EQ(arrows({0.2, 0.2}), 1U);
 }
 
+TEST_F(Composition, PressureHasItsNumberWithAndWithoutArrows) {
+  const auto numbers = [&](Layers layers) {
+    std::vector<std::string> texts;
+    for (const TextShape& text : compose(layers).texts)
+      texts.push_back(text.text);
+    std::ranges::sort(texts);
+    return texts;
+  };
+  const auto alone = numbers({Layer::cubes, Layer::joints});
+  EXPECT_GE(alone.size(), 7U) << "of nine";
+  EXPECT_NE(std::ranges::find(alone, "20.0 N"), alone.end()) << "below the middle";
+}
+
 TEST_F(Composition, NumbersKeepOffTheGroundLine) {
   for (const TextShape& text :
        compose({Layer::cubes, Layer::forces, Layer::weights, Layer::values}).texts) {

@@ -124,7 +124,9 @@ TEST_F(Symbols, TellMassesAsSharesOfTheCube) {
 
 TEST_F(Symbols, OfManyContactsSayNothing) {
   snapshot.contacts.resize(9, snapshot.contacts[0]);
-  EXPECT_TRUE(compose({Layer::cubes, Layer::symbols}).texts.empty());
+  const DrawList list = compose({Layer::cubes, Layer::symbols});
+  EXPECT_TRUE(list.texts.empty());
+  EXPECT_EQ(list.labels_left_out, 9) << "and that is told";
 }
 
 TEST_F(Symbols, LieOnNothingElse) {
