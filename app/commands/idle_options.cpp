@@ -28,16 +28,18 @@ void require_effect(const Options& options, const MotionSettings& motion) {
     refuse("--step", "whose steps follow from --tolerance", "rattle, moreau, symplectic and euler");
   if (!by_error && options.given("--tolerance"))
     refuse("--tolerance", "whose error follows from --step", "auto, event and rattle");
-  if (by_events && motion.formulation == Formulation::points)
+  if (by_events && motion.formulation == Formulation::points) {
     refuse("--formulation points", "which moves rigid bodies from event to event",
            "rattle, moreau, symplectic and euler, and in `wuerfel check`");
+  }
 }
 
 void note_idle_solver(const Options& options, const Scene& scene, Notes& notes) {
   const System system = make_system(scene);
-  if (system.rubs || system.bounces)
+  if (system.rubs || system.bounces) {
     note_idle(options, {"--solver"},
               "for contacts that rub or bounce, whose law has a solver of its own", notes);
+  }
 }
 
 void note_what_is_left_out(const Options& options,

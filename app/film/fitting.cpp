@@ -33,10 +33,11 @@ Bounds bounds_of(const PictureOptions& options, const Recording& motion) {
     for (const SnapshotBox& box : snapshot.boxes) {
       if (options.layers.has(Layer::velocities))
         bounds.include(Vec2(box.center + speed * box.velocity));
-      if (options.layers.has(Layer::accelerations))
+      if (options.layers.has(Layer::accelerations)) {
         bounds.include(Vec2(box.center
                             + options.acceleration_scale.value_or(0.0)
                                   * shown_acceleration(box.acceleration, snapshot.gravity)));
+      }
     }
   });
   return bounds;

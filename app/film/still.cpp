@@ -70,9 +70,10 @@ void mark_reason(const Scene& scene, StillOptions& options, Snapshot& extras) {
 StillOptions completed(const Scene& scene, const StillOptions& options) {
   StillOptions all = options;
   all.picture.color_by = color_by(options.picture, scene.cubes.size());
-  if (!all.picture.average)
+  if (!all.picture.average) {
     all.picture.average =
         options.picture.fit == Fit::motion ? options.rate.speed / options.rate.fps : 0.0;
+  }
   return all;
 }
 
@@ -149,9 +150,9 @@ std::vector<SnapshotBox> ghosts_of(const Scene& scene,
                                    const StopSignal& stop) {
   std::vector<SnapshotBox> ghosts;
   if (options.ghosts == 0) return ghosts;
-  std::vector<double> times;
+  std::vector<double> times(options.ghosts);
   for (int k = 0; k < options.ghosts; ++k)
-    times.push_back(options.times.back() * k / options.ghosts);
+    times[k] = options.times.back() * k / options.ghosts;
   const MotionSource source{scene, options.motion, timetable(times.back(), times, {}), {}, {}, {},
                             stop};
   source.show_frames([&ghosts](const Snapshot& snapshot) {

@@ -49,7 +49,7 @@ struct Still {
 /// Simulates up to the last of the times. Throws SceneError, RenderError,
 /// OutputError and Interrupted.
 Still compose_still(const Scene& scene,
-                    const StillOptions& options,
+                    const StillOptions& asked,
                     const StopSignal& stop,
                     Font& font);
 

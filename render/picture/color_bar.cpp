@@ -17,9 +17,10 @@ constexpr double thickness = 14.0;  ///< px of a 1280x720 picture
 /// Each step up to the top, the next over it: without seams.
 void add_steps(const FrameParts& parts, const Area& bar) {
   const double height = bar.bottom - bar.top;
-  for (int k = 0; k < steps; ++k)
+  for (int k = 0; k < steps; ++k) {
     add_bar(parts, {bar.left, bar.top, bar.right, std::round(bar.bottom - k * height / steps)},
             scale_color(parts.style, (k + 0.5) / steps));
+  }
 }
 
 /// A point at the upper end: there is more than the last colour tells.

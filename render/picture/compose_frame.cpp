@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "render/picture/explode.h"
 #include "render/picture/marks.h"
@@ -89,6 +91,81 @@ FrameOptions cut_free(const FrameOptions& options) {
   return apart;
 }
 
+/// A part of a picture that is a group of its own, and whether it is shown.
+struct Part {
+  std::string_view name;
+  void (*add)(const internal::FrameParts&);
+  bool (*shows)(const internal::FrameParts&);
+};
+
+template <Layer layer>
+bool has(const internal::FrameParts& parts) {
+  return parts.has(layer);
+}
+
+bool has_ghosts(const internal::FrameParts& parts) { return !parts.snapshot.ghosts.empty(); }
+
+bool has_links(const internal::FrameParts& parts) {
+  return parts.has(Layer::cubes) || parts.has(Layer::rods) || parts.has(Layer::rod_forces);
+}
+
+bool has_paths(const internal::FrameParts& parts) {
+  return parts.has(Layer::forces) && !is_crowd(parts.snapshot) && shows_paths(parts.options);
+}
+
+bool has_chains(const internal::FrameParts& parts) {
+  return parts.has(Layer::forces) && is_crowd(parts.snapshot);
+}
+
+bool has_fixes(const internal::FrameParts& parts) { return parts.snapshot.reason.has_value(); }
+
+bool has_reason_text(const internal::FrameParts& parts) {
+  return has_fixes(parts) && parts.has(Layer::hud);
+}
+
+bool has_hud(const internal::FrameParts& parts) {
+  return !has_fixes(parts) && parts.has(Layer::hud);
+}
+
+constexpr Part below_arrows[] = {
+    {"grid", internal::add_grid, has<Layer::grid>},
+    {"ground", internal::add_ground, has<Layer::cubes>},
+    {"trails", internal::add_trails, has<Layer::trails>},
+    {"ghosts", internal::add_ghosts, has_ghosts},
+    {"bodies", internal::add_bodies, has<Layer::cubes>},
+    {"sides", internal::add_sides, has<Layer::sides>},
+    {"rods", internal::add_rods, has<Layer::rods>},
+    {"rod-forces", internal::add_rod_forces, has<Layer::rod_forces>},
+    {"links", internal::add_links, has_links},
+    {"pressure", internal::add_pressure, has<Layer::joints>},
+    {"paths", internal::add_paths, has_paths},
+    {"thrust", internal::add_thrust, has<Layer::thrust>},
+    {"chains", internal::add_chains, has_chains},
+    {"impacts", internal::add_impacts, has<Layer::forces>},
+};
+
+constexpr Part above_arrows[] = {
+    {"whiskers", internal::add_whiskers, has<Layer::whiskers>},
+    {"normals", internal::add_normals, has<Layer::normals>},
+    {"contacts", internal::add_contacts, has<Layer::contacts>},
+    {"points", internal::add_points, has<Layer::points>},
+    {"fixes", internal::add_fixes, has_fixes},
+    {"mechanism", internal::add_mechanism, has<Layer::mechanism>},
+    {"causes", internal::add_causes, has<Layer::causes>},
+    {"words", internal::add_reason_text, has_reason_text},
+    {"hud", internal::add_hud, has_hud},
+};
+
+constexpr Part symbols[] = {{"symbols", internal::add_symbols, has<Layer::symbols>}};
+
+void add(std::span<const Part> all, const internal::FrameParts& parts) {
+  for (const Part& part : all) {
+    if (!part.shows(parts)) continue;
+    parts.list.begin_group(part.name);
+    part.add(parts);
+  }
+}
+
 }  // namespace
 
 HudParts hud_parts(const Style& style, const FrameOptions& options, int width, int height) {
@@ -135,42 +212,14 @@ DrawList compose_frame(const Snapshot& snapshot,
                                    font,
                                    labels,
                                    list};
-  const auto part = [&](std::string_view name, void (*add)(const internal::FrameParts&)) {
-    list.begin_group(name);
-    add(parts);
-  };
-  if (parts.has(Layer::grid)) part("grid", internal::add_grid);
-  if (parts.has(Layer::cubes)) part("ground", internal::add_ground);
-  if (parts.has(Layer::trails)) part("trails", internal::add_trails);
-  if (!snapshot.ghosts.empty()) part("ghosts", internal::add_ghosts);
-  if (parts.has(Layer::cubes)) part("bodies", internal::add_bodies);
-  if (parts.has(Layer::sides)) part("sides", internal::add_sides);
-  if (parts.has(Layer::rods)) part("rods", internal::add_rods);
-  if (parts.has(Layer::rod_forces)) part("rod-forces", internal::add_rod_forces);
-  const bool shows_bodies = parts.has(Layer::cubes);
-  if (shows_bodies || parts.has(Layer::rods) || parts.has(Layer::rod_forces))
-    part("links", internal::add_links);
-  if (parts.has(Layer::joints)) part("pressure", internal::add_pressure);
-  const bool many = is_crowd(snapshot);
-  if (parts.has(Layer::forces) && !many && shows_paths(options)) part("paths", internal::add_paths);
-  if (parts.has(Layer::thrust)) part("thrust", internal::add_thrust);
-  if (parts.has(Layer::forces) && many) part("chains", internal::add_chains);
-  if (parts.has(Layer::forces)) part("impacts", internal::add_impacts);
+  add(below_arrows, parts);
   list.begin_group("arrows");
   const std::vector<internal::PendingArrow> arrows = add_arrows(parts);
-  if (parts.has(Layer::whiskers)) part("whiskers", internal::add_whiskers);
-  if (parts.has(Layer::normals)) part("normals", internal::add_normals);
-  if (parts.has(Layer::contacts)) part("contacts", internal::add_contacts);
-  if (parts.has(Layer::points)) part("points", internal::add_points);
-  if (snapshot.reason) part("fixes", internal::add_fixes);
-  if (parts.has(Layer::mechanism)) part("mechanism", internal::add_mechanism);
-  if (parts.has(Layer::causes)) part("causes", internal::add_causes);
-  if (snapshot.reason && parts.has(Layer::hud)) part("words", internal::add_reason_text);
-  if (!snapshot.reason && parts.has(Layer::hud)) part("hud", internal::add_hud);
+  add(above_arrows, parts);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
   if (parts.has(Layer::joints) && !parts.has(Layer::forces)) add_joint_values(parts);
-  if (parts.has(Layer::symbols)) part("symbols", internal::add_symbols);
+  add(symbols, parts);
   if (parts.has(Layer::names)) {
     add_names(parts);
     add_mass_names(parts);

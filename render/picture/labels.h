@@ -44,7 +44,7 @@ class Labels {
   struct Stroke {
     Pixel from;
     Pixel to;
-    double half_width;
+    double half_width = 0.0;
   };
   [[nodiscard]] bool is_free(const Area& area) const;
 

@@ -322,10 +322,11 @@ TEST_F(Composition, PlatesHaveTheColoursOfWhatTheyHide) {
   const DrawList list = compose_frame(snapshot, view, style, options, font);
   const auto last_over = [&](float x, float y) {
     Color color;
-    for (const SegmentShape& s : list.segments)
+    for (const SegmentShape& s : list.segments) {
       if (s.round == 0.0F && s.from.y == s.to.y && s.half_width > 5.0F && s.from.x <= x
           && x <= s.to.x && std::abs(s.from.y - y) <= s.half_width)
         color = s.color;
+    }
     return color;
   };
   const float y = list.texts.front().baseline.y;
@@ -414,10 +415,12 @@ TEST_F(Composition, TwoRowsOfALegendAreAboutAsLongAsEachOther) {
   const DrawList list = compose_frame(snapshot, view, style, options, font);
   ASSERT_EQ(list.legend_left_out, 0);
   std::map<float, double> end_of_row;
-  for (const TextShape& text : list.texts)
-    if (text.baseline.y > 450.0F)
-      end_of_row[text.baseline.y] =
-          std::max(end_of_row[text.baseline.y], internal::text_area(text, font).right);
+  for (const TextShape& text : list.texts) {
+    if (text.baseline.y > 450.0F) {
+      double& end = end_of_row[text.baseline.y];
+      end = std::max(end, internal::text_area(text, font).right);
+    }
+  }
   ASSERT_EQ(end_of_row.size(), 2U);
   const double first = end_of_row.begin()->second;
   const double second = end_of_row.rbegin()->second;
@@ -601,7 +604,9 @@ TEST_F(Composition, PartsOfTheHudAreDroppedWhereThereIsNoRoom) {
 }
 
 TEST(Units, HavePrefixesBothWays) {
-  using namespace internal;
+  using internal::energy_label;
+  using internal::with_prefix;
+  using internal::Zeros;
   EXPECT_EQ(with_prefix(5e12, "N"), "5 TN");
   EXPECT_EQ(with_prefix(2000.0, "N"), "2 kN");
   EXPECT_EQ(with_prefix(2e-12, "N"), "2 pN");
@@ -619,7 +624,7 @@ TEST(Units, HavePrefixesBothWays) {
 }
 
 TEST(Units, TimesHaveTheDigitsThatTellFramesApart) {
-  using namespace internal;
+  using internal::time_label;
   EXPECT_EQ(time_label(1.6, 1.0 / 60.0), "1.600 s");
   EXPECT_EQ(time_label(0.00012, 1e-5), "0.000120 s");
   EXPECT_EQ(time_label(0.00012, 0.0), "0.00012 s") << "a still picture";
