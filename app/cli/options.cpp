@@ -51,11 +51,11 @@ void Options::arguments(const Text& name, const Text& meaning, std::vector<Text>
   app_->add_option(name, values, meaning)->required()->type_name("");
 }
 
-void Options::value(const Text& names, const Text& type, const Text& meaning, Take take) {
+void Options::value(const Text& names, const Text& type, const Text& meaning, const Take& take) {
   add_value(*app_, names, type, meaning, take);
 }
 
-void Options::single(const Text& names, const Text& type, const Text& meaning, Take take) {
+void Options::single(const Text& names, const Text& type, const Text& meaning, const Take& take) {
   add_value(*app_, names, type, meaning, take)->expected(1);
 }
 

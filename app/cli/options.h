@@ -45,12 +45,12 @@ class Options {
   void value(const std::string& names,
              const std::string& type,
              const std::string& meaning,
-             Take take);
+             const Take& take);
   /// May be given once.
   void single(const std::string& names,
               const std::string& type,
               const std::string& meaning,
-              Take take);
+              const Take& take);
   void text(const std::string& names,
             const std::string& type,
             const std::string& meaning,
