@@ -71,9 +71,9 @@ void Options::optional_value(const Text& name,
                              const Text& type,
                              const Text& meaning,
                              std::function<bool(const Text&)> fits,
-                             Take take) {
+                             const Take& take) {
   optional_values_[name] = std::move(fits);
-  single(name, type, meaning, std::move(take));
+  single(name, type, meaning, take);
 }
 
 // `--name TEXT` as `--name=TEXT`, and `--name` alone as `--name=all`: what follows is an argument.

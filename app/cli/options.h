@@ -66,7 +66,7 @@ class Options {
                       const std::string& type,
                       const std::string& meaning,
                       std::function<bool(const std::string&)> fits,
-                      Take take);
+                      const Take& take);
   void flag(const std::string& names, const std::string& meaning, bool& value);
   /// All values that an option takes, as completions of shells offer them.
   void offer(const std::string& name, std::vector<std::string> values);
