@@ -66,7 +66,7 @@ ForceBalance force_balance(const QuadraticProgram& p,
   for (Index j = 0; j < balance.r.size(); ++j) {
     const double unit = std::sqrt(p.mass[j - j % p.block_size] / p.mass[j]);
     balance.r[j] *= unit;
-    balance.A.row(j) *= unit;
+    if (balance.A.cols() > 0) balance.A.row(j) *= unit;
   }
   return balance;
 }
@@ -75,7 +75,7 @@ ForceBalance force_balance(const QuadraticProgram& p,
 /// directions.
 struct SolutionSet {
   VectorXd particular;
-  MatrixXd directions;  ///< orthonormal columns
+  MatrixXd directions;  ///< orthonormal columns; one of zeros where there are none
 };
 
 SolutionSet solution_set(const MatrixXd& A, const VectorXd& r, double rank_tolerance) {
@@ -88,6 +88,8 @@ SolutionSet solution_set(const MatrixXd& A, const VectorXd& r, double rank_toler
   const VectorXd part =
       (svd.matrixU().leftCols(rank).transpose() * r).cwiseQuotient(sigma.head(rank));
   SolutionSet set{svd.matrixV().leftCols(rank) * part, svd.matrixV().rightCols(A.cols() - rank)};
+  // A matrix without columns has no memory of which Eigen could take rows.
+  if (rank == A.cols()) set.directions = MatrixXd::Zero(A.cols(), 1);
   // One step of refinement.
   const VectorXd rest = r - A * set.particular;
   set.particular +=
