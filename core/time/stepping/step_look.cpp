@@ -165,7 +165,11 @@ void StepLook::settle_energy(const StepComponent& part,
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
   const RigidMotion kept =
       kept_motion(momentum_of(*system_, state, part.cubes), part.fixed_normals);
-  scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, state);
+  const double missing =
+      scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, state);
+  // Fixed bodies that rub take momentum along their sides, too.
+  if (missing < 0.0 && system_->rubs && !part.fixed_normals.empty())
+    scale_to_energy(*system_, part.cubes, RigidMotion{}, goal, 1.0, state);
 }
 
 State StepLook::at(
