@@ -47,7 +47,8 @@ struct Jump {
 };
 
 /// Straight on from blow to blow. What blows miss of the change of velocity (the weight is carried afterwards) belongs to
-/// them in proportion, what that misses of the way comes evenly.
+/// them in proportion, what that misses of the way comes evenly. Blows of a step stand one after the other that act at once
+/// where a light cube is squeezed between heavy ones, so that it goes no farther astray than its speed at the ends takes it.
 void place_struck(const BodyState& from,
                   const BodyState& to,
                   double h,
@@ -64,15 +65,21 @@ void place_struck(const BodyState& from,
     missed_spin -= j.spin;
     all += size(j);
   }
-  Vec2 place = from.position + share * (to.position - from.position);
-  double angle = from.angle + share * (to.angle - from.angle);
+  Vec2 astray = Vec2::Zero();
+  double turned = 0.0;
   for (const Jump& j : jumps) {
     const double way = h * (std::max(0.0, share - j.share) - share * (1.0 - j.share));
-    place += way * (j.velocity + size(j) / all * missed);
-    angle += way * (j.spin + size(j) / all * missed_spin);
+    astray += way * (j.velocity + size(j) / all * missed);
+    turned += way * (j.spin + size(j) / all * missed_spin);
   }
-  state.position = place;
-  state.angle = angle;
+  const auto speed = [&](const BodyState& s) {
+    return s.velocity.norm() + radius * std::abs(s.spin);
+  };
+  const double farthest = h * (speed(from) + speed(to));
+  const double far = astray.norm() + radius * std::abs(turned);
+  const double kept = far > farthest ? farthest / far : 1.0;
+  state.position = from.position + share * (to.position - from.position) + kept * astray;
+  state.angle = from.angle + share * (to.angle - from.angle) + kept * turned;
 }
 
 /// Velocities of looks are scaled up by no more than this factor: between the blows of a step in which one cube strikes
