@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/is_folder.h"
 #include "app/cli/stop_signal.h"
 #include "render/error.h"
 
@@ -26,11 +27,6 @@ std::filesystem::path link_target(std::filesystem::path path) {
     path = path.parent_path() / std::filesystem::read_symlink(path, error);
   }
   return path;
-}
-
-bool is_folder(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored);
 }
 
 /// Opens a pipe or a device for writing. A pipe waits for its reader, but not against a signal; -1: errno says why not.

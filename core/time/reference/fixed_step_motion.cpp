@@ -22,20 +22,19 @@ constexpr double diverged_times = 1e12;
 /// Share of a step within which a time counts as a grid time.
 constexpr double same_time = 1e-9;
 
+RestartPoint beginning(const System& system, const State& start) {
+  RestartPoint point;
+  point.state = start;
+  point.momentum = momentum_scale(system, start, scales_of(system, start).speed);
+  return point;
+}
+
 }  // namespace
 
 FixedStepMotion::FixedStepMotion(const System& system,
                                  const MotionSettings& settings,
                                  const State& start)
-    : system_(&system),
-      settings_(settings),
-      method_(make_method()),
-      scales_(scales_of(system, start)),
-      energy_start_(energy(system, start)),
-      in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
-      momentum_(momentum_scale(system, start, scales_.speed)) {
-  begin(start);
-}
+    : FixedStepMotion(system, settings, start, beginning(system, start)) {}
 
 FixedStepMotion::FixedStepMotion(const System& system,
                                  const MotionSettings& settings,
