@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/qp/coulomb/clones.h"
-#include "core/qp/coulomb/column.h"
+#include "core/qp/block/clones.h"
+#include "core/qp/block/column.h"
 
 namespace wuerfel {
 namespace {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/block/clones.h"
+#include "core/qp/block/column.h"
+
 namespace wuerfel {
 namespace {
 
@@ -12,22 +15,37 @@ constexpr int most_refinements = 3;
 
 constexpr int few_rows = 8;
 
+constexpr int lanes = sizeof(Column) / sizeof(double);
+
 /// Sum in four parts, which go on side by side.
-double dot(const double* a, const double* b, int n) {
-  double s0 = 0.0;
-  double s1 = 0.0;
-  double s2 = 0.0;
-  double s3 = 0.0;
+inline double dot(const double* a, const double* b, int n) {
+  Column sum = {0.0, 0.0, 0.0, 0.0};
   int k = 0;
-  for (; k + 4 <= n; k += 4) {
-    s0 += a[k] * b[k];
-    s1 += a[k + 1] * b[k + 1];
-    s2 += a[k + 2] * b[k + 2];
-    s3 += a[k + 3] * b[k + 3];
+  for (; k + lanes <= n; k += lanes) {
+    Column x;
+    Column y;
+    load(a + k, x);
+    load(b + k, y);
+    sum += x * y;
+  }
+  double first = sum[0];
+  for (; k < n; ++k)
+    first += a[k] * b[k];
+  return (first + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// r -= a * factor, n numbers.
+inline void subtract(const double* a, double factor, int n, double* r) {
+  int k = 0;
+  for (; k + lanes <= n; k += lanes) {
+    Column x;
+    Column y;
+    load(a + k, x);
+    load(r + k, y);
+    store(y - x * factor, r + k);
   }
   for (; k < n; ++k)
-    s0 += a[k] * b[k];
-  return (s0 + s1) + (s2 + s3);
+    r[k] -= a[k] * factor;
 }
 
 /// x += M^-1 row' * factor.
@@ -274,7 +292,7 @@ void EqualitySolver::factorise(const QuadraticProgram& p, const std::vector<char
   factorise_again(p);
 }
 
-void EqualitySolver::factorise_again(const QuadraticProgram& p) {
+WUERFEL_CLONES void EqualitySolver::factorise_again(const QuadraticProgram& p) {
   assemble(p);
   dependent_ = 0;
   for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
@@ -299,7 +317,7 @@ void EqualitySolver::factorise_again(const QuadraticProgram& p) {
 }
 
 /// r := S^-1 r over the rows that are kept, 0 on the others.
-inline void EqualitySolver::substitute(std::vector<double>& r) const {
+WUERFEL_CLONES void EqualitySolver::substitute(std::vector<double>& r) const {
   const int rows = static_cast<int>(r.size());
   for (int i = 0; i < rows; ++i) {
     double sum = r[i];
@@ -310,8 +328,7 @@ inline void EqualitySolver::substitute(std::vector<double>& r) const {
   for (int i = rows - 1; i >= 0; --i) {
     const double x = r[i] * inverse_[i];
     r[i] = x;
-    for (int j = first_[i]; j < i; ++j)
-      r[j] -= at(i, j) * x;
+    subtract(factor_.data() + place(i, first_[i]), x, i - first_[i], r.data() + first_[i]);
   }
 }
 
