@@ -149,7 +149,7 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   Progress progress(style, "simulating", plan.end, "s");
   simulation.set_pulse([&] {
     stop.check();
-    progress.reached(std::min(plan.end, simulation.reached()));
+    progress.reached(std::min(job.plan.end, simulation.reached()));
   });
   AccuracyWatch accuracy(resumed.first_violation);
   const std::size_t first = repeat(job, resumed.moments, simulation, books);

@@ -1,6 +1,6 @@
 #include "app/sweep/sample.h"
 
-#include <ranges>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -42,9 +42,10 @@ std::string labels_json(const Sweep& sweep,
   const std::string labels = joined(row, [](const auto& label) {
     return json_string(label.first) + ':' + json_of(label.second).dump();
   });
-  const std::size_t bodies = scene.cubes.size() + scene.points.size();
-  const std::string names = joined(std::views::iota(0, static_cast<int>(bodies)),
-                                   [&](int body) { return json_string(moving_name(scene, body)); });
+  std::vector<int> bodies(scene.cubes.size() + scene.points.size());
+  std::iota(bodies.begin(), bodies.end(), 0);
+  const std::string names =
+      joined(bodies, [&](int body) { return json_string(moving_name(scene, body)); });
   return fmt::format(
       R"({{"id":"{}","case":{},"split":{},"values":{},"labels":{{{}}},"bodies":[{}],"scene":{}}})"
       "\n",

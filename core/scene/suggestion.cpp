@@ -27,7 +27,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     current[0] = i;
     for (std::size_t j = 1; j < width; ++j) {
       const std::size_t replaced = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      current[j] = std::min({replaced, last[j] + 1, current[j - 1] + 1});
+      current[j] = std::min(replaced, std::min(last[j], current[j - 1]) + 1);
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
         current[j] = std::min(current[j], before_last[j - 2] + 1);
       }
@@ -36,12 +36,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return current.back();
 }
 
-/// Words of which one begins the other (pos, position) are as near as two slips.
-std::size_t strangeness(std::string_view wrong, std::string_view word) {
-  const std::size_t distance = edit_distance(wrong, word);
-  const bool begins = std::min(wrong.size(), word.size()) >= 3
-                      && (word.starts_with(wrong) || wrong.starts_with(word));
-  return begins ? std::min<std::size_t>(distance, 2) : distance;
+bool begins(std::string_view a, std::string_view b) {
+  return std::min(a.size(), b.size()) >= 3 && (a.starts_with(b) || b.starts_with(a));
+}
+
+/// Words of which one begins the other (pos, position) are as near as two slips. From `least` on it does not matter how much.
+std::size_t strangeness(std::string_view wrong, std::string_view word, std::size_t least) {
+  const std::size_t longer = std::max(wrong.size(), word.size());
+  const std::size_t shorter = std::min(wrong.size(), word.size());
+  if (begins(wrong, word)) return std::min<std::size_t>(longer - shorter, 2);
+  return longer - shorter >= least ? least : edit_distance(wrong, word);
 }
 
 }  // namespace
@@ -51,7 +55,7 @@ std::string suggestion(std::string_view wrong, std::span<const std::string_view>
   std::size_t least = std::max<std::size_t>(2, wrong.size() / 3) + 1;
   for (const std::string_view word : known) {
     if (wrong.size() > longest_word) break;
-    const std::size_t distance = strangeness(wrong, word);
+    const std::size_t distance = strangeness(wrong, word, least);
     // A word all of whose letters would have to change is no suggestion.
     if (distance < least && distance < word.size()) {
       least = distance;
