@@ -1,10 +1,17 @@
 """What `run` reports: the JSON summary, samples, tables, and where they go."""
 import csv
+import glob
 import json
+import math
 import os
 import subprocess
+import sys
 
-from program import FALLING, FLYING, FLYING_TOML, LANDING, STANDING, ProgramTest, main
+TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.append(os.path.join(TESTS, "stress"))
+
+import overlap  # noqa: E402
+from program import FALLING, FLYING, FLYING_TOML, LANDING, STANDING, ProgramTest, main  # noqa: E402
 
 
 class Summary(ProgramTest):
@@ -262,6 +269,32 @@ class Books(ProgramTest):
         energy = self.summary(scene, "--until", "0.2")["audit"]["energy"]
         self.assertLess(abs(energy["drift"]), 1e-3)
         self.assertLess(energy["friction_loss"], energy["start"])
+
+
+def energy(scene, sample):
+    """(J, of which in motion)"""
+    moving = height = 0.0
+    for c in scene["cube"]:
+        b = sample["bodies"][c["name"]]
+        (w, h), m = c["size"], c["mass"]
+        moving += 0.5 * m * (b["vx"]**2 + b["vy"]**2) + m * (w * w + h * h) / 24 * b["omega"]**2
+        height += m * 9.81 * b["y"]
+    return moving + height, moving
+
+
+class LooksWithinSteps(ProgramTest):
+    def test_no_energy_rises_and_nothing_overlaps(self):
+        for file in sorted(glob.glob(os.path.join(TESTS, "data", "looks", "*.json"))):
+            with self.subTest(os.path.basename(file)), open(file) as text:
+                case = json.load(text)
+                scene, fps = case["scene"], case["fps"]
+                times = [k / fps for k in range(math.ceil(case["from"] * fps), math.floor(case["to"] * fps) + 1)]
+                samples = self.summary(scene, "--until", "3", "--sample", ",".join(map(repr, times)))["samples"]
+                side = min(min(c["size"]) for c in scene["cube"])
+                most = max(energy(scene, s)[1] for s in samples)
+                for before, now in zip(samples, samples[1:]):
+                    self.assertLessEqual(energy(scene, now)[0] - energy(scene, before)[0], 1e-6 * most)
+                    self.assertLessEqual(overlap.deepest(scene, now), 1e-9 * side)
 
 
 if __name__ == "__main__":

@@ -147,10 +147,12 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
   return insist(friction, result);
 }
 
-/// What is dear, and hardly ever needed beyond the first interior point.
+/// What is dear, and hardly ever needed beyond the first interior point. Where no solution need exist (restitution, of which
+/// less is asked then) what is dearest is left out.
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
-  for (int k = 0; k < interior_seeds; ++k) {
+  const bool exists = may_stand(friction);
+  for (int k = 0; k < (exists ? interior_seeds : 1); ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
     if (stages.interior(friction, spread, seed + k, result)) return true;
   }
@@ -159,7 +161,7 @@ bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult&
   const auto contacts = static_cast<int>(friction.contacts.size());
   if (contacts > most_from_open) return false;
   if (stages.follow(friction, PathStart::open, seed, Pivoting::none, result)) return true;
-  if (stages.ended_on_ray() && !may_stand(friction)) return false;
+  if (!exists) return false;
   for (int k = 1; k <= lemke_seeds && contacts <= most_pivoted; ++k) {
     if (stages.follow(friction, PathStart::open, seed + 7919U * k, Pivoting::full, result))
       return true;

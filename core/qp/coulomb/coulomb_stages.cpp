@@ -179,7 +179,6 @@ bool CoulombStages::follow(const FrictionProgram& friction,
             : mode_path_.run(form_, modes, point, centre, seed + k, effort);
     effort.delta = std::max(0.01 * effort.delta, least_path_delta);
     result.crossings += outcome.crossings;
-    ended_on_ray_ = outcome.ray;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
     if (!std::isfinite(point.y.front().v[0])) return false;

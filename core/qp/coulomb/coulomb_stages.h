@@ -43,7 +43,6 @@ class CoulombStages {
   void take(const std::vector<double>& multiplier);
   /// A force beyond 1e6 weights.
   [[nodiscard]] bool jams(const FrictionProgram& friction, const CoulombResult& result) const;
-  [[nodiscard]] bool ended_on_ray() const { return ended_on_ray_; }
   /// What a contact of which nothing is known does.
   [[nodiscard]] static ContactMode first_mode(const ContactUnit& unit);
   [[nodiscard]] double weight() const { return scales_.weight; }
@@ -76,7 +75,6 @@ class CoulombStages {
   ModePath mode_path_;
   std::vector<Pair> cone_;
   std::vector<double> x_, multiplier_;
-  bool ended_on_ray_ = false;  ///< the last path
 };
 
 }  // namespace wuerfel

@@ -129,6 +129,8 @@ void OverlapRemoval::retreat(State& state) {
     if (left_ <= overlap_share) return;
     const std::vector<char> overlaps = overlapping_cubes();
     near_.find_at(state, near_share, contacts);
+    // Who came farther than its speed foretold meets pairs that nobody expected.
+    contacts.insert(contacts.end(), overlapping_.begin(), overlapping_.end());
     find_islands(*system_, contacts, islands);
     const double share = k < most_halvings ? 0.5 : 0.0;
     for (const Island& island : islands) {

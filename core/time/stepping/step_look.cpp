@@ -1,6 +1,7 @@
 #include "core/time/stepping/step_look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/dynamics/momentum.h"
@@ -8,6 +9,9 @@
 
 namespace wuerfel {
 namespace {
+
+/// Of the change of velocity, by which ways of smooth motions miss the mean velocity.
+constexpr double most_missed = 0.1;
 
 /// Onto the cubic that has both places and velocities.
 void place_smoothly(
@@ -22,6 +26,19 @@ void place_smoothly(
       from.angle + to_end * (to.angle - from.angle) + by_first * from.spin - by_last * to.spin;
 }
 
+/// Whether velocities that change evenly lead from one place to the other, but for ways across gravity. What rises and is
+/// back before the step has passed would rise too far on the cubic.
+bool is_smooth(
+    const BodyState& from, const BodyState& to, double h, double radius, const Vec2& up) {
+  const auto size = [&](const Vec2& v, double spin) {
+    return std::abs(v.dot(up)) + radius * std::abs(spin);
+  };
+  const Vec2 missed = 0.5 * (from.velocity + to.velocity) - (to.position - from.position) / h;
+  const double missed_spin = 0.5 * (from.spin + to.spin) - (to.angle - from.angle) / h;
+  return size(missed, missed_spin)
+         <= most_missed * size(to.velocity - from.velocity, to.spin - from.spin);
+}
+
 /// A blow, by what it does to a cube.
 struct Jump {
   double share = 0.0;
@@ -30,7 +47,8 @@ struct Jump {
 };
 
 /// Straight on from blow to blow. What blows miss of the change of velocity (the weight is carried afterwards) belongs to
-/// them in proportion, what that misses of the way comes evenly.
+/// them in proportion, what that misses of the way comes evenly. Blows of a step stand one after the other that act at once
+/// where a light cube is squeezed between heavy ones, so that it goes no farther astray than its speed at the ends takes it.
 void place_struck(const BodyState& from,
                   const BodyState& to,
                   double h,
@@ -47,15 +65,21 @@ void place_struck(const BodyState& from,
     missed_spin -= j.spin;
     all += size(j);
   }
-  Vec2 place = from.position + share * (to.position - from.position);
-  double angle = from.angle + share * (to.angle - from.angle);
+  Vec2 astray = Vec2::Zero();
+  double turned = 0.0;
   for (const Jump& j : jumps) {
     const double way = h * (std::max(0.0, share - j.share) - share * (1.0 - j.share));
-    place += way * (j.velocity + size(j) / all * missed);
-    angle += way * (j.spin + size(j) / all * missed_spin);
+    astray += way * (j.velocity + size(j) / all * missed);
+    turned += way * (j.spin + size(j) / all * missed_spin);
   }
-  state.position = place;
-  state.angle = angle;
+  const auto speed = [&](const BodyState& s) {
+    return s.velocity.norm() + radius * std::abs(s.spin);
+  };
+  const double farthest = h * (speed(from) + speed(to));
+  const double far = astray.norm() + radius * std::abs(turned);
+  const double kept = far > farthest ? farthest / far : 1.0;
+  state.position = from.position + share * (to.position - from.position) + kept * astray;
+  state.angle = from.angle + share * (to.angle - from.angle) + kept * turned;
 }
 
 /// Velocities of looks are scaled up by no more than this factor: between the blows of a step in which one cube strikes
@@ -89,15 +113,18 @@ State StepLook::between(
     add(p.from, p.begin, -p.linear, p.turn_from);
   }
   const double rough = rough_steps * scales_of(*system_, from).gravity * h;
+  const Vec2 up = -system_->gravity.normalized();
   State state = from;
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double radius = system_->bodies[i].radius();
     const Vec2 change = to[i].velocity - from[i].velocity;
     const double turn = radius * (to[i].spin - from[i].spin);
-    if (change.squaredNorm() + turn * turn <= rough * rough) {
+    if (change.squaredNorm() + turn * turn > rough * rough) {
+      place_struck(from[i], to[i], h, share, radius, jumps[i], state[i]);
+    } else if (is_smooth(from[i], to[i], h, radius, up)) {
       place_smoothly(from[i], to[i], h, share, state[i]);
     } else {
-      place_struck(from[i], to[i], h, share, radius, jumps[i], state[i]);
+      place_struck(from[i], to[i], h, share, radius, {}, state[i]);
     }
   }
   return state;
@@ -165,7 +192,27 @@ void StepLook::settle_energy(const StepComponent& part,
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
   const RigidMotion kept =
       kept_motion(momentum_of(*system_, state, part.cubes), part.fixed_normals);
-  scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, state);
+  const double missing = scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, state);
+  // Fixed bodies that rub take momentum along their sides, too.
+  if (missing < 0.0 && system_->rubs && !part.fixed_normals.empty())
+    scale_to_energy(*system_, part.cubes, RigidMotion{}, goal, 1.0, state);
+}
+
+/// Cubes that pushed nothing in the step, and that a clean-up moved all the same.
+std::vector<int> StepLook::flying(const StepRecord& record,
+                                  const std::vector<Contact>& cleaned) const {
+  std::vector<char> moved(system_->count(), 0);
+  for (const Contact& c : cleaned)
+    moved[c.on] = moved[c.from] = 1;
+  for (const StepComponent& part : record.components) {
+    for (const int cube : part.cubes)
+      moved[cube] = 0;
+  }
+  std::vector<int> cubes;
+  for (int cube = 0; cube < system_->cubes; ++cube) {
+    if (moved[cube] != 0) cubes.push_back(cube);
+  }
+  return cubes;
 }
 
 State StepLook::at(
@@ -182,6 +229,12 @@ State StepLook::at(
   keep_turning(*system_, cleaned, uncleaned, state);
   for (const StepComponent& part : record.components)
     settle_energy(part, from, to, share, state);
+  for (const int cube : flying(record, cleaned)) {
+    const std::array<int, 1> alone{cube};
+    const double start = energy_of(*system_, from, alone);
+    const double goal = start + share * (energy_of(*system_, to, alone) - start);
+    scale_to_energy(*system_, alone, RigidMotion{}, goal, most_given_back, state);
+  }
   return state;
 }
 

@@ -31,6 +31,9 @@ class StepLook {
                      double share,
                      State& state) const;
 
+  [[nodiscard]] std::vector<int> flying(const StepRecord& record,
+                                        const std::vector<Contact>& cleaned) const;
+
   const System* system_;
   Workspace work_;
   OverlapRemoval removal_;
