@@ -19,28 +19,19 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;  // bytes
 
-// What a chain of links ends at, whether it is there or not.
-std::filesystem::path link_target(std::filesystem::path path) {
-  constexpr int longest_chain = 40;  // as the kernel has it
-  std::error_code error;
-  for (int i = 0; i < longest_chain && std::filesystem::is_symlink(path, error); ++i) {
-    path = path.parent_path() / std::filesystem::read_symlink(path, error);
-  }
-  return path;
-}
-
-/// Opens a pipe or a device for writing. A pipe waits for its reader, but not against a signal; -1: errno says why not.
+/// Opens a pipe, a device or a stream for writing. A pipe waits for its reader, but not against a signal; -1: errno says why not.
 int open_special(const std::string& path) {
   constexpr int pause = 50;  // ms
   std::error_code ignored;
   const bool is_pipe = std::filesystem::is_fifo(path, ignored);
-  int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK);
   while (descriptor < 0 && errno == ENXIO && is_pipe) {
     StopSignal(StopSignal::Ear::deaf).check();
     ::poll(nullptr, 0, pause);
-    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NONBLOCK);
   }
-  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, O_WRONLY);  // what is written may wait again
+  if (descriptor >= 0)
+    ::fcntl(descriptor, F_SETFL, O_WRONLY | O_APPEND);  // what is written may wait again
   return descriptor;
 }
 
@@ -51,19 +42,26 @@ bool is_pipe_or_device(const std::string& path) {
   return type == file_type::fifo || type == file_type::character || type == file_type::socket;
 }
 
+/// /dev/stdout and its like: links of the system to what is open already, files too.
+bool is_stream(const std::string& path) {
+  std::error_code ignored;
+  const std::string whole = std::filesystem::absolute(path, ignored).lexically_normal().string();
+  return whole.starts_with("/dev/") || whole.starts_with("/proc/");
+}
+
 }  // namespace
 
 TextOutput::TextOutput(const std::string& path) : name_(path) {
   if (path == "-") {
     name_ = "standard output";
     descriptor_ = STDOUT_FILENO;
-  } else if (is_pipe_or_device(path)) {
+  } else if (is_pipe_or_device(path) || is_stream(path)) {
     descriptor_ = open_special(path);
     if (descriptor_ < 0) fail();
   } else if (is_folder(path)) {
     throw OutputError(fmt::format("cannot write {}: it is a folder", path));
   } else {
-    file_.emplace(link_target(path).string());
+    file_.emplace(path);
   }
 }
 

@@ -11,8 +11,8 @@
 
 namespace wuerfel {
 
-/// `-` is standard output. Pipes and devices are written to directly; a link stays one, and what it
-/// points to is replaced.
+/// `-` is standard output. Pipes, devices and what lies in /dev are written to directly. A file takes the place of
+/// what had its name: a link is not followed.
 class TextOutput {
  public:
   /// Throws OutputError where no such file can be made.

@@ -7,7 +7,7 @@ import shutil
 import struct
 import subprocess
 
-from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main, png_chunks, png_size, png_texts
+from program import FALLING, FLYING, LANDING, PROGRAM, STANDING, ProgramTest, main, png_chunks, png_size, png_texts
 
 SMALL = ("--size", "160x90")
 
@@ -193,11 +193,26 @@ class Unwritable(ProgramTest):
         self.expect(0, "run", self.scene(FLYING), "--states", "/dev/null", "--summary", "/dev/null")
         self.assertFalse(os.path.isfile("/dev/null"))
 
-    def test_a_link_stays_a_link(self):
-        os.symlink("target.csv", self.path("link.csv"))
-        self.expect(0, "run", self.scene(FLYING), "--states", "link.csv", "--fps", "1")
-        self.assertTrue(os.path.islink(self.path("link.csv")))
-        self.assertTrue(self.content("target.csv").startswith("t,body"))
+    def test_no_link_is_followed(self):
+        outputs = {"s.csv": ("run", "--states", "s.csv", "--fps", "1"), "e.jsonl": ("run", "--events", "e.jsonl"), "j.json": ("run", "--summary", "j.json"),
+                   "c": ("run", "--checkpoint", "c", "--every", "0.1"), "p.png": ("figure", "-o", "p.png", *SMALL), "p.svg": ("figure", "-o", "p.svg"),
+                   "f.apng": ("run", "-o", "f.apng", *SMALL), "f.mp4": ("run", "-o", "f.mp4", *SMALL)}
+        for name, (command, *options) in outputs.items():
+            with self.subTest(name):
+                with open(self.path("precious"), "w") as file:
+                    file.write("precious")
+                os.symlink("precious", self.path(name))
+                self.expect(0, command, self.scene(FLYING), *options)
+                self.assertFalse(os.path.islink(self.path(name)))
+                self.assertEqual(self.content("precious"), "precious")
+
+    def test_links_of_the_system_to_open_files_are_written_to(self):
+        with open(self.path("out.csv"), "w") as out:
+            out.write("before\n")
+            out.flush()
+            done = subprocess.run([PROGRAM, "run", self.scene(FLYING), "--states", "/dev/stdout", "--fps", "1", "--quiet"], cwd=self.folder, stdout=out)
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue(self.content("out.csv").startswith("before\nt,body"))
 
 
 class Figure(ProgramTest):
