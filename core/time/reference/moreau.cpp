@@ -7,6 +7,21 @@
 
 namespace wuerfel {
 
+namespace {
+
+/// What fixed bodies do to an island whose rest was certified earlier: they carry its weight, N and N m.
+Push weight_carried(const System& system, const State& state, const Island& island) {
+  const Vec2 center = common_center(system, state);
+  Push sum;
+  for (const int cube : island.cubes) {
+    const Vec2 carried = -system.body(cube).mass * system.gravity;
+    sum += {carried, det(state[cube].position - center, carried)};
+  }
+  return sum;
+}
+
+}  // namespace
+
 Moreau::Moreau(const System& system, const MotionSettings& settings)
     : system_(&system), restrictions_(system, settings), correction_(system, settings) {}
 
@@ -19,8 +34,11 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
   for (std::size_t m = 0; m < point.islands.size(); ++m) {
     const Island& island = point.islands[m];
     if (point.rests(island)) {
-      // The forces that its rest was certified with.
-      point.push += dt * push_of(*system_, point.state, island, point.solutions[m]);
+      const bool solved =
+          m < point.solutions.size() && point.solutions[m].forces.size() == island.contacts.size();
+      point.push += dt
+                    * (solved ? push_of(*system_, point.state, island, point.solutions[m])
+                              : weight_carried(*system_, point.state, island));
       continue;
     }
     const IslandSolution solution = restrictions_.dynamics().impact(point.state, island);
