@@ -270,6 +270,11 @@ class Books(ProgramTest):
         self.assertLess(abs(energy["drift"]), 1e-3)
         self.assertLess(energy["friction_loss"], energy["start"])
 
+    def test_fixed_bodies_carry_what_rests_beside_what_is_hit(self):
+        # Its rest was certified by steps before, so that no forces are at hand.
+        s = json.loads(self.expect(0, "run", "wall_hit", "--integrator", "moreau", "--until", "1", "--json").stdout)
+        self.assertLess(s["audit"]["momentum"]["linear"], 1e-9)
+
     def test_they_close_where_all_that_bounces_slides_as_one(self):
         # Nothing moves but along the floor, which rubs: it pays for what a step would gain, and no step is halved for it.
         cubes = [{"name": "below", "position": [0, 0.5], "velocity": [-2.109113567713827, 0]}, {"name": "above", "position": [0, 1.5]}]

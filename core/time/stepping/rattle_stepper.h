@@ -17,7 +17,7 @@
 #include "core/dynamics/rod_jam.h"
 #include "core/time/stepping/landing.h"
 #include "core/time/stepping/placement.h"
-#include "core/time/stepping/step_books.h"
+#include "core/time/stepping/step_energy.h"
 
 namespace wuerfel {
 

@@ -10,9 +10,6 @@
 namespace wuerfel {
 namespace {
 
-/// What the sway of a step takes from the energy is given back by no more than this factor on
-/// velocities.
-constexpr double most_given_back = 1.01;
 /// What opens faster than so many g h does not last.
 constexpr double opening_steps = 1e-2;
 
@@ -23,6 +20,7 @@ struct Balance {
   double lasting = 0.0;       ///< those that were closed and stay so: the sway of the method, where
                               ///< nothing is struck
   double last_struck = -1.0;  ///< share of the step; none: -1
+  std::vector<StepLoss> frictions{};  ///< of contacts that lose by it
 };
 
 /// Makes the losses of single contacts, which are positive, add up to what is taken on balance.
@@ -40,7 +38,9 @@ void balance(const Balance& sums, std::vector<StepLoss>& losses) {
 }
 
 /// What friction takes on balance, by the contacts that lose, each while it acts.
-void rub(double total, const std::vector<StepLoss>& frictions, std::vector<StepLoss>& losses) {
+void share_friction(double total,
+                    const std::vector<StepLoss>& frictions,
+                    std::vector<StepLoss>& losses) {
   const double booked = sum_of(frictions);
   for (StepLoss loss : frictions) {
     loss.energy *= total / booked;
@@ -54,13 +54,6 @@ void add_loss(const StepLoss& loss, std::vector<StepLoss>& losses) {
     return other.begin == loss.begin && other.end == loss.end;
   });
   same == losses.end() ? losses.push_back(loss) : void(same->energy += loss.energy);
-}
-
-/// What a step took beyond its losses, and velocities cannot take back, is of what landed in it, if anything did.
-void lose_in_landing(double energy, std::vector<StepLoss>& losses) {
-  const auto of_landing = [](const StepLoss& loss) { return !loss.friction; };
-  const auto last = std::find_if(losses.rbegin(), losses.rend(), of_landing);
-  if (last != losses.rend()) last->energy += energy;
 }
 
 int a_cube_of(const System& system, const Contact& c) {
@@ -198,6 +191,38 @@ void add_rods(const System& system,
   }
 }
 
+/// What a contact takes from its component: on balance, and as losses by themselves.
+void take_blow(const System& system,
+               const Stride& stride,
+               const Blow& blow,
+               const State& end,
+               const Timing& timing,
+               Balance& balance,
+               std::vector<StepLoss>& losses) {
+  const bool struck = closing_speed(system, stride, blow.start) > impact_steps;
+  const bool stays = lasts(system, stride, blow);
+  const Work first = first_work(system, stride, blow);
+  const Work second = second_work(system, stride, blow, end);
+  const double loss = -first.normal - second.normal;
+  const double rubbed = -first.side - second.side;
+  balance.friction += rubbed;
+  if (rubbed > 0.0) add_loss({timing.begin, timing.end, rubbed, true}, balance.frictions);
+  (stays ? balance.lasting : balance.closing) += loss;
+  if (!stays && loss > 0.0) losses.push_back({timing.begin, timing.end, loss});
+  if (stays && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 1.0, 0.0});
+  if (struck) balance.last_struck = std::max(balance.last_struck, timing.end);
+}
+
+/// The losses of a component, from what its contacts took.
+void lose(const System& system, Balance& sums, std::vector<StepLoss>& losses) {
+  // What sides gain in a blow that its normals pay for is no friction; nor is, where nothing rubs, what they lose in one
+  // that is taken back where its normal has turned.
+  const bool of_blows = system.bounces && !system.rubs;
+  sums.closing += of_blows ? sums.friction : std::min(sums.friction, 0.0);
+  balance(sums, losses);
+  if (system.rubs && sums.friction > 0.0) share_friction(sums.friction, sums.frictions, losses);
+}
+
 }  // namespace
 
 Work first_work(const System& system, const Stride& stride, const Blow& blow) {
@@ -226,36 +251,16 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
   StepRecord record{{}, components_of(system, stride)};
   const std::vector<int> component = component_of(record.components, stride.start.size());
   std::vector<Balance> balances(record.components.size());
-  std::vector<std::vector<StepLoss>> frictions(record.components.size());
   for (const auto& [id, blow] : stride.blows) {
     if (!blow.acts()) continue;
-    const bool struck = closing_speed(system, stride, blow.start) > impact_steps;
-    const bool stays = lasts(system, stride, blow);
     const Timing timing = timing_of(system, stride, blow, end);
     record.impulses.push_back(impulse_of(system, stride, blow, end, timing));
     const int k = component[a_cube_of(system, blow.end)];
-    const Work first = first_work(system, stride, blow);
-    const Work second = second_work(system, stride, blow, end);
-    const double loss = -first.normal - second.normal;
-    const double rubbed = -first.side - second.side;
-    balances[k].friction += rubbed;
-    if (rubbed > 0.0) add_loss({timing.begin, timing.end, rubbed, true}, frictions[k]);
-    (stays ? balances[k].lasting : balances[k].closing) += loss;
-    std::vector<StepLoss>& losses = record.components[k].losses;
-    if (!stays && loss > 0.0) losses.push_back({timing.begin, timing.end, loss});
-    if (stays && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 1.0, 0.0});
-    if (struck) balances[k].last_struck = std::max(balances[k].last_struck, timing.end);
+    take_blow(system, stride, blow, end, timing, balances[k], record.components[k].losses);
   }
   add_rods(system, stride, end, component, balances);
-  for (std::size_t k = 0; k < balances.size(); ++k) {
-    std::vector<StepLoss>& losses = record.components[k].losses;
-    // What sides gain in a blow that its normals pay for is no friction; nor is, where nothing rubs, what they lose in one
-    // that is taken back where its normal has turned.
-    const bool of_blows = system.bounces && !system.rubs;
-    balances[k].closing += of_blows ? balances[k].friction : std::min(balances[k].friction, 0.0);
-    balance(balances[k], losses);
-    if (system.rubs && balances[k].friction > 0.0) rub(balances[k].friction, frictions[k], losses);
-  }
+  for (std::size_t k = 0; k < balances.size(); ++k)
+    lose(system, balances[k], record.components[k].losses);
   return record;
 }
 
@@ -270,43 +275,6 @@ std::vector<Event> impacts_of(const System& system, const Stride& stride, double
   }
   std::ranges::stable_sort(events, {}, &Event::t);
   return events;
-}
-
-Rise settle_energy(
-    const System& system, const Stride& stride, bool sways, StepRecord& record, State& end) {
-  Rise rise;
-  const auto kept = [&](const StepComponent& part) {
-    return kept_motion(momentum_of(system, end, part.cubes), part.fixed_normals);
-  };
-  for (StepComponent& part : record.components) {
-    const double lost = sum_of(part.losses);
-    const double goal = energy_of(system, stride.start, part.cubes) - lost;
-    const double missed = energy_of(system, end, part.cubes) - goal;
-    rise.whole += std::max(0.0, missed);
-    rise.sway += std::abs(missed);
-    if (sways) continue;
-    const double missing =
-        scale_to_energy(system, part.cubes, kept(part), goal, most_given_back, end);
-    const double kept_back = std::clamp(-missing, 0.0, lost);
-    if (missing > 0.0) lose_in_landing(missing, part.losses);
-    rise.unpaid += std::max(0.0, -missing - kept_back);
-    for (StepLoss& loss : part.losses) {
-      if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
-    }
-  }
-  const auto pay = [&](const StepComponent& part, const RigidMotion& kept_motion) {
-    if (rise.unpaid <= 0.0) return;
-    const double goal = energy_of(system, end, part.cubes) - rise.unpaid;
-    rise.unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept_motion, goal, 1.0, end));
-  };
-  // What slides as a whole has no motion to pay with: others of the group do.
-  for (const StepComponent& part : record.components)
-    pay(part, kept(part));
-  // Fixed bodies that rub take momentum along their sides, too.
-  for (const StepComponent& part : record.components) {
-    if (system.rubs && !part.fixed_normals.empty()) pay(part, RigidMotion{});
-  }
-  return rise;
 }
 
 }  // namespace wuerfel

@@ -1,6 +1,5 @@
-/// The books of a step: the work of contacts, what of it is lost, and the energy that the cubes have
-/// afterwards. That of contacts that close is lost; what is left over is the sway of the method and is
-/// given back.
+/// The books of a step: the work of contacts, and what of it is lost. That of contacts that close is lost; what is left
+/// over is the sway of the method.
 #pragma once
 
 #include "core/time/bookkeeping.h"
@@ -31,18 +30,5 @@ std::vector<Event> impacts_of(const System& system, const Stride& stride, double
 
 /// What losses add up to, J.
 double sum_of(const std::vector<StepLoss>& losses);
-
-/// Energy that a step had made, J.
-struct Rise {
-  double whole = 0.0;   ///< all of it
-  double unpaid = 0.0;  ///< what no motion could pay for
-  double sway = 0.0;    ///< by how much the step missed its energy, either way
-};
-
-/// Brings the energy of every component to that of the start less its losses, as far as its velocities
-/// allow; where it `sways`, energy stays what it is. What velocities do not, for the clean-up may lift
-/// what stops on landing, is less of a loss.
-Rise settle_energy(
-    const System& system, const Stride& stride, bool sways, StepRecord& record, State& end);
 
 }  // namespace wuerfel

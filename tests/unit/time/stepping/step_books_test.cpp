@@ -1,5 +1,6 @@
 // The books of a step that is made up by hand, and the closing of gaps when stepping ends.
 #include "core/time/stepping/step_books.h"
+#include "core/time/stepping/step_energy.h"
 
 #include <cmath>
 
