@@ -261,8 +261,8 @@ class Strict(ProgramTest):
         self.assertEqual(self.summary(STANDING, "--strict")["t_end"], 0.1)
 
     def test_the_first_violation_is_told_and_ends_a_strict_run(self):
-        # A corner comes down on the corners of two decks: steps of the first order gain energy there.
-        coarse = ("truss_bridge", "--until", "2", "--integrator", "moreau", "--step", "0.01", "--json", "--quiet")
+        # Steps as long as they like, for a tolerance that allows nearly all, turn the rods too far.
+        coarse = ("double_pendulum", "--until", "2", "--integrator", "rattle", "--step", "1", "--tolerance", "0.9", "--json", "--quiet")
         done = self.expect(3, "run", *coarse, "--fps", "50", "--states", "s.csv")
         self.assertIn("over the error budget: energy drifted by", done.stderr)
         first = json.loads(done.stdout)["audit"]["first_violation"]

@@ -48,6 +48,7 @@ Push LengthCorrection::correct(State& state,
 Projection LengthCorrection::place(State state, std::vector<Contact> closed) {
   std::size_t opened = 0;
   std::size_t pushing = 0;
+  double depth = 0.0;
   const auto find = [&](const Projection& so_far) {
     for (; opened < so_far.opened.size(); ++opened) {
       std::erase_if(closed, [&](const Contact& c) { return c.id() == so_far.opened[opened].id(); });
@@ -55,10 +56,12 @@ Projection LengthCorrection::place(State state, std::vector<Contact> closed) {
     // What was pushed out of an overlap ends closed, not open by the second order of the
     // displacement: else the next moment would not see it touch.
     for (; pushing < so_far.pushing.size(); ++pushing) {
-      if (so_far.pushing[pushing].gap < 0.0) closed.push_back(so_far.pushing[pushing]);
+      if (so_far.pushing[pushing].gap >= 0.0) continue;
+      closed.push_back(so_far.pushing[pushing]);
+      depth = std::max(depth, -so_far.pushing[pushing].gap);
     }
     if (so_far.rounds >= closing_corrections) closed.clear();
-    return restricted(so_far.state, closed);
+    return restricted(so_far.state, closed, depth);
   };
   const ProjectionPolicy policy{.overlap = closed_gap,
                                 .gap = closed_gap,
@@ -69,14 +72,16 @@ Projection LengthCorrection::place(State state, std::vector<Contact> closed) {
 
 /// Contacts at a state, closed ones among them.
 std::vector<Restricted> LengthCorrection::restricted(const State& state,
-                                                     std::vector<Contact>& closed) {
+                                                     std::vector<Contact>& closed,
+                                                     double depth) {
   std::vector<Contact> contacts;
   std::vector<Island> islands;
   finder_.find(*system_, state, contacts);
-  // A side that was pressed stays closed, unless the corner has left its end.
+  // A side that was pressed stays closed, unless the corner has left its end: by more than what is pushed out moves along it,
+  // else a corner on the seam of two decks ends open over both.
   std::erase_if(closed, [&](Contact& c) {
     c = at_poses(*system_, finder_.boxes(), c);
-    return c.alpha < 0.0 || c.alpha > 1.0;
+    return std::max(-c.alpha, c.alpha - 1.0) * c.length > depth;
   });
   for (const Contact& c : closed) {
     if (!contains(contacts, c)) contacts.push_back(c);

@@ -22,7 +22,9 @@ class LengthCorrection {
 
  private:
   Projection place(State state, std::vector<Contact> closed);
-  std::vector<Restricted> restricted(const State& state, std::vector<Contact>& closed);
+  std::vector<Restricted> restricted(const State& state,
+                                     std::vector<Contact>& closed,
+                                     double depth);
 
   const System* system_;
   IslandDynamics dynamics_;
