@@ -35,16 +35,23 @@ Rows rows_of(const QuadraticProgram& program, bool equalities) {
   return rows;
 }
 
+/// A number of one of `count` things; a double, beyond all of them too, is none.
+int number_of(const Json& json, std::size_t count, const char* thing) {
+  const bool whole = json.is_number_integer();
+  if (!whole || json < 0 || json >= count)
+    throw UsageError(fmt::format("there is no {} {}", thing, json.dump()));
+  return json.get<int>();
+}
+
 void add_rows(const Json& triplets,
               const std::vector<double>& bounds,
               bool equalities,
               QuadraticProgram& program) {
   std::map<int, std::map<int, std::vector<double>>> blocks;  // row -> block -> coefficients
   for (const Json& triplet : triplets) {
-    const int column = triplet.at(1).get<int>();
-    if (column < 0 || column >= program.unknowns())
-      throw UsageError(fmt::format("there is no unknown {}", column));
-    auto& block = blocks[triplet.at(0).get<int>()][column / program.block_size];
+    const int row = number_of(triplet.at(0), bounds.size(), "row");
+    const int column = number_of(triplet.at(1), program.mass.size(), "unknown");
+    auto& block = blocks[row][column / program.block_size];
     block.resize(program.block_size, 0.0);
     block[column % program.block_size] = triplet.at(2).get<double>();
   }
@@ -57,8 +64,9 @@ void add_rows(const Json& triplets,
 
 QuadraticProgram program_of(const Json& json) {
   QuadraticProgram program;
-  const int block_size = json.at("block_size").get<int>();
-  if (block_size < 1 || block_size > 3) throw UsageError("block_size is 1, 2 or 3");
+  constexpr std::size_t largest_block = 3;
+  const int block_size = number_of(json.at("block_size"), largest_block + 1, "block_size");
+  if (block_size == 0) throw UsageError("block_size is 1, 2 or 3");
   program.clear(block_size);
   program.mass = json.at("M_diag").get<std::vector<double>>();
   program.target = json.at("F").get<std::vector<double>>();

@@ -220,7 +220,9 @@ class Replay(ProgramTest):
         self.assertIn("program 1: 3 unknowns, 2 rows", self.expect(0, "replay", "p.jsonl").stdout)
 
     def test_what_is_no_program_is_refused_with_its_place(self):
-        for wrong in ("nonsense", {"M_diag": []}, {**self.PROGRAM_LINE, "M_diag": [-1, 1, 1]}, {**self.PROGRAM_LINE, "J_triplets": [[0, 9, 1]]}):
+        for wrong in ("nonsense", {"M_diag": []}, {**self.PROGRAM_LINE, "M_diag": [-1, 1, 1]}, {**self.PROGRAM_LINE, "J_triplets": [[0, 9, 1]]},
+                      {**self.PROGRAM_LINE, "J_triplets": [[2, 1, 1]]}, {**self.PROGRAM_LINE, "J_triplets": [[0, 1e30, 1]]},
+                      {**self.PROGRAM_LINE, "J_triplets": [[-1, 1, 1]]}, {**self.PROGRAM_LINE, "block_size": 1e30}):
             self.write(self.PROGRAM_LINE, wrong)
             self.assertIn("p.jsonl:2: no program: ", self.expect(2, "replay", "p.jsonl").stderr)
         self.expect(2, "replay", "nosuch.jsonl")

@@ -107,7 +107,7 @@ bool jam_rods(const Island& island, double t, bool hits, Instant& now, Workspace
   // Rods in one line that take a blow across them pull at fixed places with impulses that no first order tells.
   if (std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); })) {
     const Push known = push_of(system, before, island, jam.hit.after);
-    now.settled += unexplained(system, before, now.state, 0.0, known);
+    now.push += unexplained(system, before, now.state, 0.0, known);
   }
   return true;
 }
