@@ -1,12 +1,12 @@
 // The books of a step that is made up by hand, and the closing of gaps when stepping ends.
 #include "core/time/stepping/step_books.h"
-#include "core/time/stepping/step_energy.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/time/stepping/close_gaps.h"
+#include "core/time/stepping/step_energy.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
