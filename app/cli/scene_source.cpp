@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/is_folder.h"
 #include "app/cli/shipped_scenes.h"
 #include "core/scene/scene_parser.h"
 #include "core/scene/suggestion.h"
@@ -53,8 +54,7 @@ bool read_line(std::string& line) {
 }
 
 std::string read_file(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
+  if (is_folder(path)) {
     throw SceneError(fmt::format("{}: is a folder, not a scene file", path));
   }
   std::ifstream file(path, std::ios::binary);
@@ -79,7 +79,7 @@ bool is_blank(const std::string& line) {
 SceneText scene_text(const std::string& source) {
   if (source == "-") return {"standard input", read_stream(std::cin, "standard input")};
   std::error_code ignored;
-  const bool folder = std::filesystem::is_directory(source, ignored);
+  const bool folder = is_folder(source);
   const bool file = std::filesystem::exists(source, ignored) && !folder;
   if (const ShippedScene* scene = find_shipped_scene(source); scene != nullptr && !file)
     return {fmt::format("{}.toml", scene->name), std::string(scene->text)};

@@ -90,7 +90,7 @@ void require_room(const std::vector<Need>& list) {
 
 std::string estimate(const RunOptions& asked, const Scene& scene, const RunPlan& plan) {
   const auto frames =
-      std::ranges::count_if(plan.instants, [](const Instant& i) { return i.frame; });
+      std::ranges::count_if(plan.instants, [](const TimetableEntry& i) { return i.frame; });
   const std::vector<Need> list = needs(asked, scene, static_cast<double>(frames));
   require_room(list);
   double bytes = 0.0;

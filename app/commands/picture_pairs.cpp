@@ -7,17 +7,13 @@
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/is_folder.h"
 
 namespace wuerfel {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_folder(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
-}
 
 bool is_there(const fs::path& path) {
   std::error_code ignored;

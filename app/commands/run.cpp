@@ -104,7 +104,7 @@ void simulate(const Job& job,
   double due = job.asked.every.value_or(job.plan.end / 10.0);
   const double every = due;
   for (std::size_t k = first; k < job.plan.instants.size(); ++k) {
-    const Instant& instant = job.plan.instants[k];
+    const TimetableEntry& instant = job.plan.instants[k];
     simulation.advance_to(instant.t);
     progress.reached(instant.t);
     if (is_seen(instant)) {

@@ -17,7 +17,9 @@ RunBooks::RunBooks(const RunOptions& asked,
       taker_(plan.request, plan.request, plan.back),
       film_(asked.picture, asked.rate, source, pictures_) {}
 
-void RunBooks::take(const Instant& instant, const Simulation& simulation, const Moment& moment) {
+void RunBooks::take(const TimetableEntry& instant,
+                    const Simulation& simulation,
+                    const Moment& moment) {
   if (instant.sample) samples_.push_back({instant.t, moment.state});
   if (instant.frame) tables_.add_states(instant.t, scene_, moment.state);
   if (asked_.forces.empty() && pictures_.empty()) return;

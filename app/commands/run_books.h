@@ -25,11 +25,11 @@ class RunBooks {
            const AnimationSettings& animation);
 
   /// A moment that somebody wants to see. Throws OutputError, RenderError, Interrupted.
-  void take(const Instant& instant, const Simulation& simulation, const Moment& moment);
+  void take(const TimetableEntry& instant, const Simulation& simulation, const Moment& moment);
   /// Completes all of them. Throws the same.
   void finish(const Simulation& simulation, Progress::Style style);
 
-  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+  [[nodiscard]] const std::vector<StateSample>& samples() const { return samples_; }
   /// The worst residual of the forces in the tables.
   [[nodiscard]] double worst_force() const { return worst_force_; }
   [[nodiscard]] long frames() const { return film_.frames(); }
@@ -43,7 +43,7 @@ class RunBooks {
   Tables tables_;
   FrameTaker taker_;
   Film film_;
-  std::vector<Sample> samples_;
+  std::vector<StateSample> samples_;
   double worst_force_ = 0.0;
 };
 

@@ -46,10 +46,10 @@ struct RunOptions {
 void require_distinct_outputs(const RunOptions& asked);
 
 struct RunPlan {
-  double end = 0.0;               ///< s
-  std::vector<Instant> instants;  ///< when to look
-  SnapshotRequest request;        ///< and at what
-  LookBack back;                  ///< and how far back pictures do
+  double end = 0.0;                      ///< s
+  std::vector<TimetableEntry> instants;  ///< when to look
+  SnapshotRequest request;               ///< and at what
+  LookBack back;                         ///< and how far back pictures do
 };
 
 /// Throws UsageError where the options do not fit the scene.

@@ -86,10 +86,10 @@ class JointSum {
 
 }  // namespace
 
-std::vector<Instant> with_looks(std::vector<Instant> instants, const LookBack& back) {
+std::vector<TimetableEntry> with_looks(std::vector<TimetableEntry> instants, const LookBack& back) {
   if (!(back.average > 0.0)) return instants;
-  std::vector<Instant> looks;
-  for (const Instant& instant : instants) {
+  std::vector<TimetableEntry> looks;
+  for (const TimetableEntry& instant : instants) {
     const int count =
         instant.sample ? std::max(looks_per_average, load_looks(back)) : looks_per_average;
     for (int k = 1; instant.frame && !instant.bare && k < count; ++k) {
@@ -198,7 +198,7 @@ void FrameTaker::forget(double t) {
 
 std::optional<Snapshot> FrameTaker::take(const Simulation& simulation,
                                          const Moment& moment,
-                                         const Instant& instant) {
+                                         const TimetableEntry& instant) {
   notice_impacts(simulation.events(), moment.t);
   forget(instant.t);
   const SnapshotRequest request = instant.sample ? request_

@@ -27,7 +27,7 @@ constexpr int looks_per_average = 4;
 
 /// The instants and, before each frame, those at which its forces are looked at; loads of frames that
 /// were asked for farther back.
-std::vector<Instant> with_looks(std::vector<Instant> instants, const LookBack& back);
+std::vector<TimetableEntry> with_looks(std::vector<TimetableEntry> instants, const LookBack& back);
 
 class FrameTaker {
  public:
@@ -38,7 +38,7 @@ class FrameTaker {
   /// What a motion shows at one of its instants, and at that moment; nothing where there is no frame.
   std::optional<Snapshot> take(const Simulation& simulation,
                                const Moment& moment,
-                               const Instant& instant);
+                               const TimetableEntry& instant);
 
  private:
   using Joints = std::vector<SnapshotJoint>;

@@ -28,7 +28,7 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
   FrameTaker taker(request, passing, back);
   AccuracyWatch accuracy;
   bool looked = false;
-  for (const Instant& instant : instants) {
+  for (const TimetableEntry& instant : instants) {
     stop.check();
     simulation.advance_to(instant.t);
     if (is_seen(instant)) {
@@ -45,7 +45,7 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
 
 bool MotionSource::scales_at(double t) const {
   if (instants.empty()) return true;
-  const auto instant = std::ranges::lower_bound(instants, t, {}, &Instant::t);
+  const auto instant = std::ranges::lower_bound(instants, t, {}, &TimetableEntry::t);
   return instant != instants.end() && instant->t == t && instant->scales;
 }
 

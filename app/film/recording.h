@@ -25,7 +25,7 @@ namespace wuerfel {
 struct MotionSource {
   const Scene& scene;
   MotionSettings motion;
-  std::vector<Instant> instants;
+  std::vector<TimetableEntry> instants;
   SnapshotRequest request;
   SnapshotRequest passing;  ///< of frames that are only on the way to those asked for
   LookBack back;

@@ -22,7 +22,7 @@ namespace {
 
 // When to look: at the times asked for, and as often as a film would where trails are drawn or the
 // picture has to fit into the film.
-std::vector<Instant> instants_of(const StillOptions& options, const Scene& scene) {
+std::vector<TimetableEntry> instants_of(const StillOptions& options, const Scene& scene) {
   const double last = options.times.back();
   const PictureOptions& picture = options.picture;
   // A film of more frames than anybody looks at has no view and no scale to share.
@@ -32,9 +32,9 @@ std::vector<Instant> instants_of(const StillOptions& options, const Scene& scene
   const double end = whole ? std::max(last, options.end.value_or(scene.duration)) : last;
   std::vector<double> frames;
   if (whole || picture.layers.has(Layer::trails)) frames = frame_times(end, options.rate);
-  std::vector<Instant> instants = timetable(end, frames, options.times);
+  std::vector<TimetableEntry> instants = timetable(end, frames, options.times);
   if (whole) mark_scales(instants);
-  for (Instant& instant : instants) {
+  for (TimetableEntry& instant : instants) {
     if (!whole) instant.scales = instant.frame || instant.sample;
     instant.bare = whole && !instant.scales && !instant.sample && !needs_every_force(picture);
   }
@@ -43,9 +43,9 @@ std::vector<Instant> instants_of(const StillOptions& options, const Scene& scene
 
 MotionSource source_of(const Scene& scene,
                        const StillOptions& options,
-                       std::vector<Instant> instants,
+                       std::vector<TimetableEntry> instants,
                        const StopSignal& stop) {
-  for (Instant& instant : instants)
+  for (TimetableEntry& instant : instants)
     instant.frame = instant.frame || instant.sample;
   const PictureOptions& picture = options.picture;
   const SnapshotRequest request = snapshot_request(picture, scene.cubes.size());
@@ -80,7 +80,7 @@ StillOptions completed(const Scene& scene, const StillOptions& options) {
 /// Calls `show` with every snapshot, whether it stands on the way there, and whether it was asked for.
 template <typename Show>
 void for_each_shown(const Recording& motion,
-                    const std::vector<Instant>& instants,
+                    const std::vector<TimetableEntry>& instants,
                     const Show& show) {
   auto instant = instants.begin();
   motion.for_each([&](const Snapshot& snapshot) {
@@ -90,11 +90,12 @@ void for_each_shown(const Recording& motion,
   });
 }
 
-MotionRange range_of_shown(const Recording& motion, const std::vector<Instant>& instants) {
+MotionRange range_of_shown(const Recording& motion, const std::vector<TimetableEntry>& instants) {
   MotionRange range;
-  for_each_shown(motion, instants, [&range](const Snapshot& snapshot, const Instant& instant) {
-    if (instant.sample) range.include(snapshot);
-  });
+  for_each_shown(motion, instants,
+                 [&range](const Snapshot& snapshot, const TimetableEntry& instant) {
+                   if (instant.sample) range.include(snapshot);
+                 });
   return range;
 }
 
@@ -105,7 +106,7 @@ struct Cells {
 
 /// One by one, the draw lists of the instants that were asked for, with the ghosts and the reason of `extras`.
 Cells compose_cells(const Recording& motion,
-                    const std::vector<Instant>& instants,
+                    const std::vector<TimetableEntry>& instants,
                     const PictureOptions& fitted,
                     const Snapshot& extras,
                     Font& font) {
@@ -114,7 +115,7 @@ Cells compose_cells(const Recording& motion,
   const bool with_trails = fitted.layers.has(Layer::trails);
   Trails trails;
   Cells cells;
-  for_each_shown(motion, instants, [&](const Snapshot& snapshot, const Instant& instant) {
+  for_each_shown(motion, instants, [&](const Snapshot& snapshot, const TimetableEntry& instant) {
     if (with_trails && instant.frame) trails.add(snapshot);
     if (!instant.sample) return;
     Snapshot shown = snapshot;
@@ -182,7 +183,7 @@ namespace {
 struct Filmed {
   const Scene& scene;
   const Recording& motion;
-  const std::vector<Instant>& instants;
+  const std::vector<TimetableEntry>& instants;
   const Snapshot& first;
   const Snapshot& extras;
 };
@@ -223,7 +224,7 @@ Still compose_still(const Scene& scene,
   Snapshot extras;
   mark_reason(scene, options, extras);
   require_possible_steps(options.times.back(), options.motion);
-  const std::vector<Instant> instants = instants_of(options, scene);
+  const std::vector<TimetableEntry> instants = instants_of(options, scene);
   const MotionSource source = source_of(scene, options, instants, stop);
   Recording motion(source);
   Still still;

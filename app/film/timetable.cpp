@@ -37,11 +37,11 @@ std::vector<double> frame_times(double end, const FrameRate& rate) {
   return times;
 }
 
-std::vector<Instant> timetable(double end,
-                               const std::vector<double>& frames,
-                               const std::vector<double>& samples,
-                               const std::vector<double>& marks) {
-  std::vector<Instant> instants;
+std::vector<TimetableEntry> timetable(double end,
+                                      const std::vector<double>& frames,
+                                      const std::vector<double>& samples,
+                                      const std::vector<double>& marks) {
+  std::vector<TimetableEntry> instants;
   instants.reserve(frames.size() + samples.size() + marks.size() + 1);
   for (const double t : frames)
     instants.push_back({.t = t, .frame = true});
@@ -53,20 +53,21 @@ std::vector<Instant> timetable(double end,
   return merged(std::move(instants), {});
 }
 
-void mark_scales(std::vector<Instant>& instants) {
+void mark_scales(std::vector<TimetableEntry>& instants) {
   constexpr std::ptrdiff_t enough = 40;
-  const auto frames = std::ranges::count(instants, true, &Instant::frame);
+  const auto frames = std::ranges::count(instants, true, &TimetableEntry::frame);
   const std::ptrdiff_t every = std::max<std::ptrdiff_t>(frames / enough, 1);
   std::ptrdiff_t k = 0;
-  for (Instant& instant : instants)
+  for (TimetableEntry& instant : instants)
     if (instant.frame) instant.scales = k++ % every == 0;
 }
 
-std::vector<Instant> merged(std::vector<Instant> instants, const std::vector<Instant>& more) {
+std::vector<TimetableEntry> merged(std::vector<TimetableEntry> instants,
+                                   const std::vector<TimetableEntry>& more) {
   instants.insert(instants.end(), more.begin(), more.end());
-  std::ranges::stable_sort(instants, {}, &Instant::t);
-  std::vector<Instant> result;
-  for (const Instant& instant : instants) {
+  std::ranges::stable_sort(instants, {}, &TimetableEntry::t);
+  std::vector<TimetableEntry> result;
+  for (const TimetableEntry& instant : instants) {
     if (result.empty() || result.back().t != instant.t) {
       result.push_back(instant);
     } else {

@@ -8,7 +8,7 @@
 namespace wuerfel {
 
 /// An instant at which the simulation stops to be looked at.
-struct Instant {
+struct TimetableEntry {
   double t = 0.0;       ///< s, simulated
   bool frame = false;   ///< a picture, and a line of the tables
   bool sample = false;  ///< asked for by --sample, or -t
@@ -18,7 +18,7 @@ struct Instant {
 };
 
 /// Whether somebody looks, be it to average.
-inline bool is_seen(const Instant& instant) {
+inline bool is_seen(const TimetableEntry& instant) {
   return instant.frame || instant.sample || instant.look;
 }
 
@@ -40,16 +40,17 @@ std::vector<double> frame_times(double end, const FrameRate& rate);
 
 /// Marks the frames that scales fit: all of short films, of long ones evenly some forty, so that a
 /// still picture need not know the forces of all frames to have the scales of its film.
-void mark_scales(std::vector<Instant>& instants);
+void mark_scales(std::vector<TimetableEntry>& instants);
 
 /// Frames, samples, other moments to stop at and the end in one order in time, every instant once; the times are exactly
 /// those given.
-std::vector<Instant> timetable(double end,
-                               const std::vector<double>& frames,
-                               const std::vector<double>& samples,
-                               const std::vector<double>& marks = {});
+std::vector<TimetableEntry> timetable(double end,
+                                      const std::vector<double>& frames,
+                                      const std::vector<double>& samples,
+                                      const std::vector<double>& marks = {});
 
 /// Both in one order in time, every instant once: equal ones become one that is everything they were.
-std::vector<Instant> merged(std::vector<Instant> instants, const std::vector<Instant>& more);
+std::vector<TimetableEntry> merged(std::vector<TimetableEntry> instants,
+                                   const std::vector<TimetableEntry>& more);
 
 }  // namespace wuerfel

@@ -9,16 +9,12 @@
 
 #include "app/cli/argument.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/is_folder.h"
 #include "render/error.h"
 
 namespace wuerfel {
 
 namespace {
-
-bool is_folder(const std::string& name) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(name, ignored);
-}
 
 bool names_folder(const std::string& name) {
   return name.ends_with('/') || (is_folder(name) && !is_animation_path(name));

@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/output/json_values.h"
+
 namespace wuerfel {
 
 namespace {
@@ -14,23 +16,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr double knife_edge = 1e-9;
 
-Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr); }
-
-Json pair(const LoadRange& range) { return {number(range.low), number(range.high)}; }
-
-Json vector(const Vec2& v) { return {v.x(), v.y()}; }
+Json pair(const LoadRange& range) { return {number_json(range.low), number_json(range.high)}; }
 
 Json tilt_json(const std::optional<TiltMargin>& tilt) {
   if (!tilt) return nullptr;
-  return {{"left", number(tilt->left)}, {"right", number(tilt->right)}};
+  return {{"left", number_json(tilt->left)}, {"right", number_json(tilt->right)}};
 }
 
 Json body_json(const BodyMargin& body, const MarginRequest& request) {
   Json json = Json::object();
   if (request.shift && !is_empty(body.shift)) json["shift"] = pair(body.shift);
   if (request.load && !is_empty(body.load)) {
-    json["load"] = number(body.load.high);
-    json["lift"] = number(-body.load.low);
+    json["load"] = number_json(body.load.high);
+    json["lift"] = number_json(-body.load.low);
   }
   if (request.move && !is_empty(body.move)) json["move"] = pair(body.move);
   return json;
@@ -120,18 +118,18 @@ void add_margins(const StillScene& still,
 void add_ranges(const StillScene& still, const ForceRanges& ranges, Json& json) {
   for (std::size_t k = 0; k < ranges.contacts.size(); ++k) {
     if (is_empty(ranges.contacts[k])) continue;
-    json["contacts"][k]["min"] = number(ranges.contacts[k].low);
-    json["contacts"][k]["max"] = number(ranges.contacts[k].high);
+    json["contacts"][k]["min"] = number_json(ranges.contacts[k].low);
+    json["contacts"][k]["max"] = number_json(ranges.contacts[k].high);
   }
   json["degree"] = ranges.degree;
   Json interfaces = Json::array();
   for (const Interface& face : ranges.interfaces) {
     interfaces.push_back(
         {{"bodies", {still.system.body(face.on).name, still.system.body(face.from).name}},
-         {"normal", vector(face.normal)},
+         {"normal", vector_json(face.normal)},
          {"resultant", {face.force, face.tangential}},
          {"range", pair(face.force_range)},
-         {"center", face.center ? vector(*face.center) : Json(nullptr)},
+         {"center", vector_json(face.center)},
          {"center_range", is_empty(face.center_range) ? Json(nullptr) : pair(face.center_range)},
          {"eccentricity", face.eccentricity ? Json(*face.eccentricity) : Json(nullptr)}});
   }

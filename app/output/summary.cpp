@@ -20,7 +20,7 @@ Json settings_json(const MotionSettings& settings) {
           {"step", settings.step}};
 }
 
-Json sample_json(const Scene& scene, const Sample& sample) {
+Json sample_json(const Scene& scene, const StateSample& sample) {
   Json bodies = Json::object();
   for (std::size_t i = 0; i < sample.states.size(); ++i) {
     const BodyState& body = sample.states[i];
@@ -97,11 +97,11 @@ Json violation_json(const Violation& violation) {
 Json run_summary(const Scene& scene,
                  const MotionSettings& settings,
                  const Simulation& simulation,
-                 const std::vector<Sample>& samples,
+                 const std::vector<StateSample>& samples,
                  const Notes& notes,
                  const RunCost& cost) {
   Json sample_list = Json::array();
-  for (const Sample& sample : samples)
+  for (const StateSample& sample : samples)
     sample_list.push_back(sample_json(scene, sample));
   Json event_list = Json::array();
   for (const Event& event : simulation.events())

@@ -17,7 +17,7 @@
 namespace wuerfel {
 
 /// The state at a time that --sample asked for.
-struct Sample {
+struct StateSample {
   double t = 0.0;  ///< s, exactly as asked
   State states;
 };
@@ -34,7 +34,7 @@ struct RunCost {
 nlohmann::ordered_json run_summary(const Scene& scene,
                                    const MotionSettings& settings,
                                    const Simulation& simulation,
-                                   const std::vector<Sample>& samples,
+                                   const std::vector<StateSample>& samples,
                                    const Notes& notes,
                                    const RunCost& cost);
 

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/is_folder.h"
 #include "app/cli/stop_signal.h"
 #include "render/error.h"
 
@@ -17,11 +18,6 @@ namespace wuerfel {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;  // bytes
-
-bool is_folder(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored);
-}
 
 /// Opens a pipe, a device or a stream for writing. A pipe waits for its reader, but not against a signal; -1: errno says why not.
 int open_special(const std::string& path) {

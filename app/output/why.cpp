@@ -4,15 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/output/json_values.h"
+
 namespace wuerfel {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector(const Vec2& v) { return {v.x() + 0.0, v.y() + 0.0}; }
-
-Json vector(const std::optional<Vec2>& v) { return v ? vector(*v) : Json(nullptr); }
 
 Json names(const StillScene& still, const std::vector<int>& bodies) {
   Json list = Json::array();
@@ -24,7 +22,7 @@ Json names(const StillScene& still, const std::vector<int>& bodies) {
 Json cause_json(const StillScene& still, const Cause& cause) {
   return {{"part", names(still, cause.part.cubes)},
           {"on", names(still, cause.on)},
-          {"corner", vector(cause.corner)},
+          {"corner", vector_json(cause.corner)},
           {"outside", cause.outside ? Json(*cause.outside) : Json(nullptr)}};
 }
 
@@ -33,7 +31,7 @@ Json part_json(const StillScene& still, const MovingPart& part) {
           {"turn", part.turn > 0   ? "left"
                    : part.turn < 0 ? "right"
                                    : "none"},
-          {"pivot", vector(part.pivot)},
+          {"pivot", vector_json(part.pivot)},
           {"opens", names(still, part.opens)},
           {"work_share", part.work_share}};
 }
@@ -42,8 +40,8 @@ Json fix_json(const StillScene& still, const Fix& fix) {
   const bool move = fix.kind == Fix::Kind::move;
   return {{"kind", move ? "move" : "force"},
           {"body", still.system.body(fix.cube).name},
-          {"point", vector(fix.point)},
-          {"force", move ? Json(nullptr) : vector(fix.force)},
+          {"point", vector_json(fix.point)},
+          {"force", move ? Json(nullptr) : vector_json(fix.force)},
           {"distance", move ? Json(fix.distance) : Json(nullptr)},
           {"verified", to_string(fix.verified)}};
 }

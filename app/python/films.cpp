@@ -28,7 +28,7 @@ void film(const RunOptions& asked, const Scene& scene) {
   RunBooks books(asked, plan, source, animation);
   Simulation simulation(scene, asked.motion);
   simulation.set_pulse([&interruption] { interruption.check(); });
-  for (const Instant& instant : plan.instants) {
+  for (const TimetableEntry& instant : plan.instants) {
     simulation.advance_to(instant.t);
     if (is_seen(instant)) books.take(instant, simulation, simulation.moment());
   }

@@ -52,6 +52,11 @@ class PySimulation {
   std::unique_ptr<Simulation> simulation_;  // none after an interruption
 };
 
+/// Of a body in arrays of states: x, y, angle and their rates.
+constexpr pybind11::ssize_t state_numbers = 6;
+/// Writes them body by body, from `row` on.
+void put_state(const State& state, double* row);
+
 /// (cubes, 6): x, y, angle and their rates.
 pybind11::array_t<double> state_array(const State& state);
 pybind11::dict audit_dict(const Audit& audit);

@@ -14,7 +14,7 @@
 namespace wuerfel {
 
 /// [low, high] with low <= high, or [mean, deviation].
-struct Interval {
+struct NumberInterval {
   NumberPair ends;
 };
 struct WholeInterval {
@@ -40,7 +40,7 @@ struct TemplateChoice {
   const Value* table = nullptr;
 };
 
-void read(const Spot& spot, const Limits& limits, Interval& target);
+void read(const Spot& spot, const Limits& limits, NumberInterval& target);
 void read(const Spot& spot, const Limits& limits, WholeInterval& target);
 void read(const Spot& spot, const Limits& limits, ValueList& target);
 void read(const Spot& spot, const Limits& limits, RateChoice& target);
@@ -77,10 +77,10 @@ std::string_view to_string(Mask mask);
 struct VaryEntry {
   Origin origin;
   std::string key;
-  std::optional<Interval> uniform;
-  std::optional<Interval> normal;
-  std::optional<Interval> clip;
-  std::optional<Interval> log_uniform;
+  std::optional<NumberInterval> uniform;
+  std::optional<NumberInterval> normal;
+  std::optional<NumberInterval> clip;
+  std::optional<NumberInterval> log_uniform;
   std::optional<WholeInterval> integers;
   std::optional<ValueList> choice;
   std::optional<ValueList> values;

@@ -143,7 +143,9 @@ class SweepReader {
     return normal;
   }
 
-  NumberPair ascending(const VaryEntry& vary, std::string_view key, const Interval& ends) const {
+  NumberPair ascending(const VaryEntry& vary,
+                       std::string_view key,
+                       const NumberInterval& ends) const {
     if (ends.ends.first > ends.ends.second)
       fail(source_, vary.origin, key, "must be [low, high] with low <= high");
     return ends.ends;

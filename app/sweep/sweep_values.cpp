@@ -120,7 +120,7 @@ void read(const Spot& spot, const Limits& limits, std::vector<double>& target) {
     read(item_spot(spot, items, i), limits, target[i]);
 }
 
-void read(const Spot& spot, const Limits& limits, Interval& target) {
+void read(const Spot& spot, const Limits& limits, NumberInterval& target) {
   std::vector<double> numbers;
   read(spot, limits, numbers);
   if (numbers.size() != 2) fail_type(spot, "two numbers");

@@ -80,8 +80,8 @@ std::string tip_sentence(const StillScene& still,
 
 /// The phrase of a part that does not tip, of one cube and of several.
 std::pair<Phrase, Phrase> loss_phrases(const StillScene& still, const Cause& cause) {
-  if (cause.failure == Failure::drops) return {Phrase::drops, Phrase::drop};
-  if (cause.failure == Failure::swings) return {Phrase::swings, Phrase::swing};
+  if (cause.failure == FailureMode::drops) return {Phrase::drops, Phrase::drop};
+  if (cause.failure == FailureMode::swings) return {Phrase::swings, Phrase::swing};
   if (cause.sense == 0) return {Phrase::gives_way, Phrase::give_way};
   const auto rubs = [&](int k) {
     const Contact& c = still.found.islands[cause.island].island.contacts[k];
@@ -116,7 +116,7 @@ std::string moving_part_sentence(const StillScene& still,
 std::string drop_sentence(const StillScene& still, const Causes& causes, Language language) {
   std::vector<int> cubes;
   for (const Cause& cause : causes.causes)
-    if (cause.failure == Failure::drops)
+    if (cause.failure == FailureMode::drops)
       cubes.insert(cubes.end(), cause.part.cubes.begin(), cause.part.cubes.end());
   std::vector<std::string> names = names_of(still, cubes);
   if (names.size() > most_told) {
@@ -132,7 +132,7 @@ void tell_causes(const StillScene& still,
                  const Causes& causes,
                  Language language,
                  std::vector<std::string>& text) {
-  const auto drops = [](const Cause& cause) { return cause.failure == Failure::drops; };
+  const auto drops = [](const Cause& cause) { return cause.failure == FailureMode::drops; };
   const std::size_t others = causes.causes.size() - std::ranges::count_if(causes.causes, drops);
   const std::size_t most = others == most_told + 1 ? others : most_told;  // no "1 more"
   std::size_t told = 0;
@@ -160,7 +160,7 @@ void tell_fall(const Explanation& e, Language language, std::vector<std::string>
   for (const Fix& fix : e.fixes)
     text.push_back(fix_sentence(still, fix, language));
   const bool only_drops = std::ranges::all_of(
-      e.causes.causes, [](const Cause& c) { return c.failure == Failure::drops; });
+      e.causes.causes, [](const Cause& c) { return c.failure == FailureMode::drops; });
   if (e.fixes.empty() && !(only_drops && e.causes.mechanism.empty()))
     text.push_back(say_in(language, Phrase::nothing_found));
   text.push_back(
@@ -216,7 +216,7 @@ void tell_motion(const std::vector<std::string>& names,
 
 std::string cause_sentence(const StillScene& still, const Cause& cause, Language language) {
   const std::string part = part_name(still, cause.part.cubes, cause.base, language);
-  if (cause.failure == Failure::tips) return tip_sentence(still, cause, part, language);
+  if (cause.failure == FailureMode::tips) return tip_sentence(still, cause, part, language);
   const auto [one, many] = loss_phrases(still, cause);
   return say_in(language, is_many(cause) ? many : one,
                 {{"part", part},

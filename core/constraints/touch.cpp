@@ -1,5 +1,7 @@
 #include "core/constraints/touch.h"
 
+#include <array>
+
 #include "core/constraints/contact.h"
 
 namespace wuerfel {
@@ -20,6 +22,20 @@ void add_both_corners(const System& system,
   next.corner = next_corner(first.corner);
   contacts.push_back(at_poses(system, boxes, first));
   contacts.push_back(at_poses(system, boxes, next));
+}
+
+/// What a flush touch bears at the two ends of its overlap.
+std::array<double, 2> flush_loads(const Touch& touch,
+                                  std::span<const Contact> contacts,
+                                  std::span<const double> forces) {
+  const double f = forces[touch.first];
+  const double g = forces[touch.first + 1];
+  const Contact& c = contacts[touch.first];
+  const Interval bears = overlap_of(touch, contacts);
+  if (bears.length() <= no_overlap * c.length) return {f + g, f + g};
+  const double moment = f * along_side(c) + g * along_side(contacts[touch.first + 1]);
+  return {((f + g) * bears.high - moment) / bears.length(),
+          (moment - (f + g) * bears.low) / bears.length()};
 }
 
 }  // namespace
@@ -43,22 +59,13 @@ void find_loads(std::span<const Touch> touches,
                 std::vector<double>& loads) {
   loads.clear();
   for (const Touch& touch : touches) {
-    const double f = forces[touch.first];
-    if (touch.kind != Touch::Kind::flush) {
-      for (int k = 0; k < touch.count; ++k)
-        loads.push_back(forces[touch.first + k]);
+    if (touch.kind == Touch::Kind::flush) {
+      for (const double load : flush_loads(touch, contacts, forces))
+        loads.push_back(load);
       continue;
     }
-    const double g = forces[touch.first + 1];
-    const Contact& c = contacts[touch.first];
-    const Interval bears = overlap_of(touch, contacts);
-    if (bears.length() <= no_overlap * c.length) {
-      loads.insert(loads.end(), {f + g, f + g});
-      continue;
-    }
-    const double moment = f * along_side(c) + g * along_side(contacts[touch.first + 1]);
-    loads.push_back(((f + g) * bears.high - moment) / bears.length());
-    loads.push_back((moment - (f + g) * bears.low) / bears.length());
+    for (int k = touch.first; k < touch.first + touch.count; ++k)
+      loads.push_back(forces[k]);
   }
 }
 

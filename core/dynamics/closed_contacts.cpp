@@ -158,12 +158,16 @@ Push ClosedContacts::pushed(const State& state) const {
   }
   const Vec2 center = common_center(*system_, state, resting_);
   if (held_) return felt(state, center);
-  std::vector<double> along;
-  if (rubbing_.any()) along = rubbing_.along_sides(forces_);
+  if (!rubbing_.any()) {
+    const double* force = forces_.data();
+    for (const Contact& c : island_.contacts)
+      add_push(*system_, state, center, c, *force++ * c.normal, sum);
+    return sum;
+  }
+  const std::vector<double> along = rubbing_.along_sides(forces_);
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const Contact& c = island_.contacts[k];
-    const Vec2 side = along.empty() ? Vec2(Vec2::Zero()) : Vec2(along[k] * perp(c.normal));
-    add_push(*system_, state, center, c, forces_[k] * c.normal + side, sum);
+    add_push(*system_, state, center, c, forces_[k] * c.normal + along[k] * perp(c.normal), sum);
   }
   return sum;
 }

@@ -8,19 +8,11 @@
 namespace wuerfel {
 namespace {
 
-/// Kinetic energy of an island's cubes, J.
-double kinetic_energy_of(const System& system, const State& state, const Island& island) {
-  double sum = 0.0;
-  for (const int cube : island.cubes)
-    sum += kinetic_energy(system.body(cube), state[cube]);
-  return sum;
-}
-
 Impact with_loss(const System& system,
                  const State& state,
                  const Island& island,
                  IslandSolution after) {
-  Impact result{std::move(after), kinetic_energy_of(system, state, island)};
+  Impact result{std::move(after), kinetic_energy(system, state, island)};
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
     const Twist& v = result.after.twists[k];
     const BodyState moved{{}, 0.0, v.linear, v.angular};
@@ -30,6 +22,13 @@ Impact with_loss(const System& system,
 }
 
 }  // namespace
+
+double kinetic_energy(const System& system, const State& state, const Island& island) {
+  double sum = 0.0;
+  for (const int cube : island.cubes)
+    sum += kinetic_energy(system.body(cube), state[cube]);
+  return sum;
+}
 
 bool closes(const System& system, const State& state, const Island& island) {
   return std::ranges::any_of(island.contacts,

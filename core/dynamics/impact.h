@@ -12,6 +12,9 @@ struct [[nodiscard]] Impact {
   double loss = 0.0;     ///< J, what the impact takes of the kinetic energy
 };
 
+/// Kinetic energy of an island's cubes, J.
+double kinetic_energy(const System& system, const State& state, const Island& island);
+
 /// Whether some contact closes, or velocities change the length of a rod, so that an impact is due.
 bool closes(const System& system, const State& state, const Island& island);
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/SVD>
 
+#include "core/dynamics/impact.h"
 #include "core/dynamics/rod_consistency.h"
 #include "core/dynamics/rod_rows.h"
 
@@ -164,13 +165,6 @@ class Rounds {
   IslandSolution sum_;
 };
 
-double kinetic_energy_of(const System& system, const State& state, const Island& island) {
-  double sum = 0.0;
-  for (const int cube : island.cubes)
-    sum += kinetic_energy(system.body(cube), state[cube]);
-  return sum;
-}
-
 }  // namespace
 
 RodJam rod_jam(const System& system, const State& state, const Island& island) {
@@ -185,7 +179,7 @@ RodJam rod_jam(const System& system, const State& state, const Island& island) {
   }
   jam.hit.after = rounds.end(state);
   jam.hit.loss =
-      kinetic_energy_of(system, state, island) - kinetic_energy_of(system, rounds.now(), island);
+      kinetic_energy(system, state, island) - kinetic_energy(system, rounds.now(), island);
   return jam;
 }
 

@@ -1,12 +1,12 @@
 #include "core/geometry/trig.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace wuerfel {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double half_pi = 1.57079632679489661923;
+constexpr double half_pi = 0.5 * std::numbers::pi;
 
 // pi/2 in three parts; the first two have 33 bits, so that k times a part is exact for |k| < 2^20
 // [Cody, Waite 1980].
@@ -86,7 +86,7 @@ double atan2(double y, double x) {
   const double v = std::abs(y);
   if (u == 0.0 && v == 0.0) return 0.0;
   double angle = v <= u ? first_octant(v, u) : half_pi - first_octant(u, v);
-  if (x < 0.0) angle = pi - angle;
+  if (x < 0.0) angle = std::numbers::pi - angle;
   return y < 0.0 ? -angle : angle;
 }
 

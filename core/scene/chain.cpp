@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 namespace wuerfel {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 /// Share of the distance of its ends by which a chain may be longer or shorter and yet be straight.
 constexpr double straight_share = 1e-12;
 
@@ -217,7 +217,8 @@ std::vector<Vec2> corners_on_arc(const std::vector<double>& segments, double dis
   double low = 0.0;
   double high = 1.0 / *std::ranges::max_element(segments);
   const auto too_long = [&](double c) {
-    return whole_half_angle(segments, c) < pi && corners_at(segments, c).back().x() > distance;
+    return whole_half_angle(segments, c) < std::numbers::pi
+           && corners_at(segments, c).back().x() > distance;
   };
   if (too_long(high)) return {};
   while (true) {

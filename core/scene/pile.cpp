@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -11,14 +12,6 @@
 
 namespace wuerfel {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-/// Half the size of a box's axis-aligned bounds.
-Vec2 half_bounds(const Box& box) {
-  const Vec2 u = box.axis.cwiseAbs();
-  return {u.x() * box.half.x() + u.y() * box.half.y(), u.y() * box.half.x() + u.x() * box.half.y()};
-}
 
 /// Boxes by the cells of a grid over the region that their bounds meet. A cell is no smaller than
 /// `least_cell`, so that a cube meets few of them.
@@ -37,7 +30,7 @@ class Grid {
   }
 
   void add(const Box& box, double margin) {
-    const Vec2 half = half_bounds(box) + Vec2(margin, margin);
+    const Vec2 half = box.extent() + Vec2(margin, margin);
     const bool outside = ((box.center + half).array() < low_.array()).any()
                          || ((box.center - half).array() > high_.array()).any();
     if (outside) return;
@@ -67,7 +60,7 @@ class Grid {
   /// says no.
   template <class Action>
   bool visit(const Box& box, double margin, const Action& action) {
-    const Vec2 half = half_bounds(box) + Vec2(margin, margin);
+    const Vec2 half = box.extent() + Vec2(margin, margin);
     const Vec2 low = box.center - half;
     const Vec2 high = box.center + half;
     const int last_column = cell_of(high.x(), 0);
@@ -94,8 +87,8 @@ class Grid {
 std::optional<PilePose> random_pose(const PileEntry& pile, std::uint64_t number) {
   const auto seed = static_cast<std::uint64_t>(pile.seed);
   PilePose pose;
-  pose.angle = pi * random_unit(seed, 3 * number);
-  const Vec2 half = half_bounds(make_box(pose.position, pose.angle, pile.size.extent));
+  pose.angle = std::numbers::pi * random_unit(seed, 3 * number);
+  const Vec2 half = make_box(pose.position, pose.angle, pile.size.extent).extent();
   const Vec2 low = pile.region.low + half;
   const Vec2 room = pile.region.high - half - low;
   if (room.minCoeff() < 0.0) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -23,8 +24,6 @@
 namespace wuerfel {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// `direction` with length 1. What has that length already but for rounding is left alone, so that
 /// a scene that was written out comes back with the same bits.
 Vec2 unit(const Vec2& direction) {
@@ -36,7 +35,7 @@ Vec2 unit(const Vec2& direction) {
 
 /// A whole number of half turns in degrees gives the double next to that many pi.
 double angle_of(const TurnEntry& turn) {
-  return turn.angle_deg ? *turn.angle_deg / 180.0 * pi : turn.angle;
+  return turn.angle_deg ? *turn.angle_deg / 180.0 * std::numbers::pi : turn.angle;
 }
 
 class SceneBuilder {

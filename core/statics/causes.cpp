@@ -88,14 +88,15 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
     add_once(partner(cause.part, island.contacts[k]), cause.on);
   const LoadRange& shift = cause.part.shift;
   if (cause.part.pivot && !is_empty(shift) && presses_at_one_point(island, cause.part)) {
-    cause.failure = Failure::tips;
+    cause.failure = FailureMode::tips;
     cause.corner = island.contacts[*cause.part.pivot].point;
     cause.sense = shift.low > 0.0 ? -1 : 1;
     cause.outside = shift.low > 0.0 ? shift.low : -shift.high;
     return cause;
   }
-  cause.failure = Failure::slides;
-  if (cause.on.empty()) cause.failure = cause.part.on_rods ? Failure::swings : Failure::drops;
+  cause.failure = FailureMode::slides;
+  if (cause.on.empty())
+    cause.failure = cause.part.on_rods ? FailureMode::swings : FailureMode::drops;
   const Vec2& a = cause.part.motion.linear;
   const double aside = a.dot(right_of(still.down()));
   if (std::abs(aside) > no_motion * a.norm()) cause.sense = sign(aside);

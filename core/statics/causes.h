@@ -17,7 +17,7 @@ struct Certificate {
   double worst_closing = 0.0;  ///< m/s, of the contact that closes fastest: rounding
 };
 
-enum class Failure {
+enum class FailureMode {
   tips,    ///< over a corner
   slides,  ///< along what it lies on, or it is pressed out
   swings,  ///< on rods
@@ -29,7 +29,7 @@ struct Cause {
   int island = -1;  ///< -1: it touches nothing
   int base = 0;     ///< the cube that carries the others of the part
   PartStand part;
-  Failure failure = Failure::drops;
+  FailureMode failure = FailureMode::drops;
   std::vector<int> on;            ///< bodies that it presses on when it falls
   std::optional<Vec2> corner;     ///< m, about which it tips
   std::optional<double> outside;  ///< m, how far beside its support its weight acts

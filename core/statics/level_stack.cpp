@@ -102,10 +102,12 @@ bool LevelStack::is_barred_for(int moved, int base, const LoadRange& range) cons
         return true;
       continue;
     }
-    for (const double s : {range.low, range.high})
-      for (int k = 0; k < Box::corners; ++k)
+    for (const double s : {range.low, range.high}) {
+      for (int k = 0; k < Box::corners; ++k) {
         if ((boxes_[moved].corner(k) + s * right_ - body.point).dot(body.normal) <= room)
           return true;
+      }
+    }
   }
   return false;
 }

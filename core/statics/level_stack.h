@@ -46,7 +46,7 @@ class LevelStack {
   [[nodiscard]] bool is_on(int cube, int base) const;
   [[nodiscard]] Interval along(int body, const Vec2& axis) const;
   [[nodiscard]] LoadRange on_support(int cube) const;
-  [[nodiscard]] bool is_barred(int cube, const LoadRange& range) const;
+  [[nodiscard]] bool is_barred(int cube, const LoadRange& asked) const;
   [[nodiscard]] bool is_barred_for(int moved, int base, const LoadRange& range) const;
 
   const StillScene* still_;

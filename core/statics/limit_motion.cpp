@@ -35,9 +35,10 @@ class LimitMotion {
     island_.touches.clear();
     island_.contacts.clear();
     const double most = of->solution.forces.empty() ? 0.0 : std::ranges::max(of->solution.forces);
-    for (std::size_t k = 0; k < of->island.contacts.size(); ++k)
+    for (std::size_t k = 0; k < of->island.contacts.size(); ++k) {
       if (of->solution.forces[k] > pressing * most)
         island_.contacts.push_back(of->island.contacts[k]);
+    }
     motion_ = free_motion(s);
     return true;
   }
@@ -79,9 +80,10 @@ class LimitMotion {
 
 double smallest_side(const StillScene& still, const CarriedGroup& group) {
   double side = unbounded;
-  for (const int cube : group.cubes)
+  for (const int cube : group.cubes) {
     if (still.system.body(cube).kind == BodyKind::cube)
       side = std::min(side, still.system.body(cube).smaller_side());
+  }
   return side;
 }
 

@@ -168,6 +168,21 @@ void LoadFactor::confirm(const std::vector<double>& w, const std::vector<double>
   }
 }
 
+/// The error of what was found, from a last cut that was off by `error`; where that says too little, by another way.
+void LoadFactor::make_sure(const std::vector<double>& w,
+                           const std::vector<double>& q,
+                           double error,
+                           bool last,
+                           Top& found) {
+  if (found.exact && unrest_ <= certain * sharpness_) {
+    found.error = unrest_ / sharpness_;
+  } else if (is_large() && error <= certain_of_large) {
+    found.error = error * (1.0 + std::abs(found.s));
+  } else if (last || unrest_ > certain_of_any || sharpness_ < sharp) {
+    confirm(w, q, found);
+  }
+}
+
 LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
                                 const std::vector<double>& q,
                                 const KnownCut& known) {
@@ -191,13 +206,7 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
     // No cut goes below this one, or there are forces.
     const bool last = k > 0 && step <= 1e-14 * std::abs(found.s);
     if (last || balances(w, q, found.s)) {
-      const bool exact = found.exact && unrest_ <= certain * sharpness_;
-      if (exact)
-        found.error = unrest_ / sharpness_;
-      else if (is_large() && next.error <= certain_of_large)
-        found.error = next.error * (1.0 + std::abs(found.s));
-      else if (last || unrest_ > certain_of_any || sharpness_ < sharp)
-        confirm(w, q, found);
+      make_sure(w, q, next.error, last, found);
       return found;
     }
     next = cut(w, q);

@@ -74,6 +74,11 @@ class LoadFactor {
   };
   Top top(const std::vector<double>& w, const std::vector<double>& q, const KnownCut& known);
   void confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found);
+  void make_sure(const std::vector<double>& w,
+                 const std::vector<double>& q,
+                 double error,
+                 bool last,
+                 Top& found);
   bool is_determinate();
   /// The only forces that leave of a load nothing but `x`.
   void solve_all(const std::vector<double>& load, std::vector<double>& x, std::vector<double>& f);

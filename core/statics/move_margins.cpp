@@ -13,7 +13,7 @@ namespace wuerfel {
 namespace {
 
 /// Of a way, as a share of the side.
-constexpr double rounding = 1e-15;
+constexpr double way_rounding = 1e-15;
 
 /// Whether the group is all there is beside planes: it can be moved as far as one likes.
 bool is_alone(const StillScene& still, const CarriedGroup& group) {
@@ -146,7 +146,9 @@ LoadRange MoveMargins::range_of(int cube, const CarriedGroup& group) {
   };
   const MoveSearch::End left = end(-1.0);
   const MoveSearch::End right = end(1.0);
-  const auto rounded = [&](double s) { return std::abs(s) <= rounding * search.side() ? 0.0 : s; };
+  const auto rounded = [&](double s) {
+    return std::abs(s) <= way_rounding * search.side() ? 0.0 : s;
+  };
   return {rounded(left.s), rounded(right.s), std::max(left.error, right.error)};
 }
 

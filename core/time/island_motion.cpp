@@ -101,10 +101,6 @@ const Bookkeeping& IslandMotion::book() {
   audit.drift_budget =
       stepped ? drift_.of_steps(lost.impacts + lost.friction) : drift_.of_events(time_);
   audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
-  const double settled = !stepped           ? promised_settled
-                         : system_->bounces ? promised_settled_of_first_order
-                                            : promised_settled_of_steps;
-  audit.settled_budget = settled * (1.0 + time_ / scales_.time);
   return book;
 }
 

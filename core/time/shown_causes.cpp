@@ -58,9 +58,10 @@ SnapshotCause shown_cause(const StillScene& still, const Cause& cause) {
 std::vector<SnapshotCause> shown_causes(const StillScene& still, const Causes& causes) {
   std::vector<SnapshotCause> shown;
   std::set<int> islands;
-  for (const Cause& cause : causes.causes)
+  for (const Cause& cause : causes.causes) {
     if (cause.island >= 0 && islands.insert(cause.island).second)
       shown.push_back(shown_cause(still, cause));
+  }
   return shown;
 }
 

@@ -23,9 +23,10 @@ RangeFinder::Known RangeFinder::find(const System& system,
                                      const State& state,
                                      const IslandForces& of) const {
   State own = states_of(of.island, state);
-  for (const Known& known : known_)
+  for (const Known& known : known_) {
     if (known.cubes == of.island.cubes && std::ranges::equal(known.state, own, is_same))
       return known;
+  }
   InstantForces alone;
   alone.islands = {of};
   alone.accelerations.resize(state.size());

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#if defined(__x86_64__)
+#include <tmmintrin.h>
+#endif
 #include <zlib.h>
 
 #include "render/error.h"
@@ -36,7 +39,7 @@ struct Band {
 
 /// Two pixels at a time: six of eight bytes, of which the last two are overwritten by the next.
 /// `rgb` has two bytes to spare.
-void pack_rgb(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
+void pack_pairs(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
   constexpr std::uint64_t first = 0xFFFFFFU;
   constexpr std::uint64_t second = first << 24U;
   int x = 0;
@@ -47,6 +50,28 @@ void pack_rgb(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
     std::memcpy(rgb, &two, 8);
   }
   if (x < width) std::memcpy(rgb, rgba, 3);
+}
+
+#if defined(__x86_64__)
+/// Four at a time, where a register's bytes can be put in another order: the first twelve of sixteen.
+[[gnu::target("ssse3")]] void pack_fours(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
+  const __m128i order = _mm_setr_epi8(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, -1, -1, -1, -1);
+  int x = 0;
+  // What four pixels write beyond their own twelve bytes belongs to the next two.
+  for (; x + 6 <= width; x += 4, rgba += 16, rgb += 12) {
+    const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(rgba));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(rgb), _mm_shuffle_epi8(four, order));
+  }
+  pack_pairs(rgba, width - x, rgb);
+}
+#endif
+
+void pack_rgb(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
+#if defined(__x86_64__)
+  static const bool fours = __builtin_cpu_supports("ssse3");
+  if (fours) return pack_fours(rgba, width, rgb);
+#endif
+  pack_pairs(rgba, width, rgb);
 }
 
 }  // namespace

@@ -270,6 +270,14 @@ class Books(ProgramTest):
         self.assertLess(abs(energy["drift"]), 1e-3)
         self.assertLess(energy["friction_loss"], energy["start"])
 
+    def test_they_close_where_all_that_bounces_slides_as_one(self):
+        # Nothing moves but along the floor, which rubs: it pays for what a step would gain, and no step is halved for it.
+        cubes = [{"name": "below", "position": [0, 0.5], "velocity": [-2.109113567713827, 0]}, {"name": "above", "position": [0, 1.5]}]
+        scene = {"version": 1, "duration": 1.0, "material": {"friction": 0.6, "restitution": 0.9}, "plane": [{"name": "floor"}], "cube": cubes}
+        s = self.summary(scene)
+        self.assertLess(abs(s["audit"]["energy"]["drift"]), 1e-9)
+        self.assertLess(s["cost"]["steps"], 400)
+
 
 def energy(scene, sample):
     """(J, of which in motion)"""

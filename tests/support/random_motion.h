@@ -9,6 +9,11 @@
 
 namespace wuerfel::test {
 
+/// Random motions that a row is tried on, and what its first and second derivatives may be off there.
+inline constexpr int trials = 200;
+inline constexpr double first_tolerance = 1e-10;
+inline constexpr double second_tolerance = 1e-7;
+
 /// Numbers in [-1, 1), the same on every machine.
 class RandomNumbers {
  public:
@@ -22,6 +27,18 @@ class RandomNumbers {
  private:
   std::uint64_t seed_;
   std::uint64_t count_ = 0;
+};
+
+/// Numbers between bounds.
+class Draw {
+ public:
+  double operator()(double low, double high) {
+    return low + 0.5 * (random_.next() + 1.0) * (high - low);
+  }
+  Vec2 vector(double size) { return size * random_.next_vec2(); }
+
+ private:
+  RandomNumbers random_{5};
 };
 
 /// p(t) = c_0 + c_1 t + c_2 t^2 + c_3 t^3, so that v(0) = c_1 and a(0) = 2 c_2.

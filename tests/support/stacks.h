@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/statics/still_scene.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 
 inline constexpr double g = 9.81;
+
+inline StillScene still(const Scene& scene) { return still_scene(scene, {}); }
 
 /// Unit cubes that overhang a table's edge at 0, the longest possible times 1 + eps: with n - i cubes
 /// from cube i on upwards the centre of these lies eps / 2 beyond the edge below.
@@ -24,28 +27,35 @@ inline Scene harmonic(int n, double eps) {
   return scene;
 }
 
-inline Scene with_friction(Scene scene, double mu) {
+inline void set_friction(double mu, Scene& scene) {
   for (SceneCube& c : scene.cubes)
     c.material.friction = mu;
   for (ScenePlane& p : scene.planes)
     p.material.friction = mu;
   for (SceneFixed& f : scene.fixed)
     f.material.friction = mu;
+}
+
+inline Scene with_friction(Scene scene, double mu) {
+  set_friction(mu, scene);
   return scene;
 }
 
 inline Scene mirrored(Scene scene) {
+  scene.gravity.x() *= -1.0;
   for (SceneCube& c : scene.cubes) {
-    c.position.x() = -c.position.x();
-    c.angle = -c.angle;
+    c.position.x() *= -1.0;
+    c.velocity.x() *= -1.0;
+    c.angle *= -1.0;
+    c.spin *= -1.0;
   }
   for (SceneFixed& f : scene.fixed) {
-    f.position.x() = -f.position.x();
-    f.angle = -f.angle;
+    f.position.x() *= -1.0;
+    f.angle *= -1.0;
   }
   for (ScenePlane& p : scene.planes) {
-    p.point.x() = -p.point.x();
-    p.normal.x() = -p.normal.x();
+    p.point.x() *= -1.0;
+    p.normal.x() *= -1.0;
   }
   return scene;
 }

@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "core/time/simulation.h"
-#include "tests/support/scenes.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
-
-constexpr double g = 9.81;
 
 /// A unit cube on an incline that rises to the right by `angle`, on its way up with `speed`.
 Scene on_incline(double friction, double angle, double speed) {

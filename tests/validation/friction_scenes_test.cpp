@@ -6,27 +6,19 @@
 
 #include "core/check.h"
 #include "core/time/simulation.h"
-#include "tests/support/scenes.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
 
-constexpr double g = 9.81;
 constexpr double ten_hours = 36000.0;
 
-MotionSettings stepping(double step) {
+MotionSettings whole_steps(double step) {
   MotionSettings settings;
   settings.integrator = Integrator::rattle;
   settings.step = step;
   settings.tolerance = 1.0;  // no step is halved
   return settings;
-}
-
-void set_friction(double mu, Scene& scene) {
-  for (SceneCube& c : scene.cubes)
-    c.material.friction = mu;
-  for (ScenePlane& p : scene.planes)
-    p.material.friction = mu;
 }
 
 /// Unit cubes one on the other on a slope that rises to the right by `angle`; friction is that of
@@ -124,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Integrators,
 void expect_order_two(const Scene& scene, double t) {
   std::vector<State> ends;
   for (const double rate : {120.0, 240.0, 480.0, 960.0, 1920.0})
-    ends.push_back(after(scene, t, stepping(1.0 / rate)));
+    ends.push_back(after(scene, t, whole_steps(1.0 / rate)));
   for (std::size_t k = 2; k < ends.size(); ++k) {
     const double ratio = distance(ends[k - 2], ends[k - 1]) / distance(ends[k - 1], ends[k]);
     EXPECT_NEAR(ratio, 4.0, 0.4) << k;

@@ -8,6 +8,7 @@
 #include "core/time/events/dop853.h"
 #include "core/time/simulation.h"
 #include "tests/support/reference_case.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -31,28 +32,6 @@ State state_at(const Scene& scene, double t, Integrator integrator, double step)
   Simulation simulation(scene, settings);
   simulation.advance_to(t);
   return simulation.states();
-}
-
-SceneCube cube(const std::string& name, const Vec2& position, double angle = 0.0) {
-  SceneCube c;
-  c.name = name;
-  c.position = position;
-  c.angle = angle;
-  return c;
-}
-
-Scene on_floor(std::vector<SceneCube> cubes) {
-  Scene scene;
-  scene.planes.push_back({"floor", Vec2::Zero(), Vec2::UnitY(), {}});
-  scene.cubes = std::move(cubes);
-  return scene;
-}
-
-Scene leaning_tower() {
-  std::vector<SceneCube> cubes;
-  for (int i = 0; i < 5; ++i)
-    cubes.push_back(cube("c" + std::to_string(i), {0.3 * i, 0.5 + i}));
-  return on_floor(std::move(cubes));
 }
 
 void oscillator(const std::vector<double>& y, std::vector<double>& rate) {
@@ -145,7 +124,7 @@ TEST(Integrators, SteppingComesToTheEventDrivenMotion) {
   Scene table = on_floor({cube("a", {0.0, 1.5})});
   table.cubes[0].velocity = {1.0, 0.0};
   table.fixed.push_back({"table", {1.0, 1.0}, {0.0, 0.5}, 0.0, {}});
-  for (const Case& c : {Case{table, 1.0}, Case{leaning_tower(), 0.6}}) {
+  for (const Case& c : {Case{table, 1.0}, Case{on_floor(leaning_tower(5, 0.3)), 0.6}}) {
     const State exact = state_at(c.scene, c.t, Integrator::event, 0.0);
     const double coarse = difference(state_at(c.scene, c.t, Integrator::rattle, 1e-3), exact);
     const double fine = difference(state_at(c.scene, c.t, Integrator::rattle, 6.25e-5), exact);

@@ -7,11 +7,10 @@
 #include "core/scene/scene_parser.h"
 #include "core/time/promises.h"
 #include "core/time/simulation.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
-
-constexpr double g = 9.81;
 
 Simulation simulation_of(const std::string& text, Integrator integrator) {
   MotionSettings settings;

@@ -9,11 +9,11 @@
 
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
 
-constexpr double g = 9.81;
 constexpr double pi = std::numbers::pi;
 
 Simulation simulation_of(const std::string& text, const MotionSettings& settings = {}) {

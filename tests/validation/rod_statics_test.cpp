@@ -8,11 +8,10 @@
 #include "core/check.h"
 #include "core/scene/scene_parser.h"
 #include "tests/support/reference_case.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
-
-constexpr double g = 9.81;
 
 Check check_text(const std::string& text, const MotionSettings& settings = {}) {
   return check(parse_scene(text, "s.toml"), settings);

@@ -10,6 +10,7 @@
 #include "core/time/simulation.h"
 #include "tests/support/bin_scene.h"
 #include "tests/support/deepest_overlap.h"
+#include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
@@ -23,11 +24,6 @@ MotionSettings stepping(double step, double tolerance = 1e-8) {
 }
 
 double energy_of(const Simulation& simulation) { return simulation.snapshot({}).energy; }
-
-Scene leaning_tower() {
-  return parse_scene("version = 1\n[[plane]]\n[[tower]]\ncount = 5\nlean = 0.3\nbase = [0, 0]\n",
-                     "tower.toml");
-}
 
 /// Largest difference of places to the event driven motion at time t.
 double error_of(const Scene& scene, const MotionSettings& settings, double t) {
@@ -43,8 +39,8 @@ double error_of(const Scene& scene, const MotionSettings& settings, double t) {
 
 TEST(Stepping, StepsFollowTheirError) {
   // A step of 1/30 s is halved as often as the tolerance asks for.
-  const double loose = error_of(leaning_tower(), stepping(1.0 / 30.0, 1.0), 0.5);
-  const double tight = error_of(leaning_tower(), stepping(1.0 / 30.0, 1e-10), 0.5);
+  const double loose = error_of(on_floor(leaning_tower(5, 0.3)), stepping(1.0 / 30.0, 1.0), 0.5);
+  const double tight = error_of(on_floor(leaning_tower(5, 0.3)), stepping(1.0 / 30.0, 1e-10), 0.5);
   EXPECT_GT(loose, 1e-4);
   EXPECT_LT(tight, 0.1 * loose);
 }
@@ -52,7 +48,7 @@ TEST(Stepping, StepsFollowTheirError) {
 TEST(Stepping, EnergyRisesByNoMoreThanTheRootOfTheTolerance) {
   // Of all the energy that there is: it sways about its true value.
   for (const double step : {1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0}) {
-    Simulation simulation(leaning_tower(), stepping(step));
+    Simulation simulation(on_floor(leaning_tower(5, 0.3)), stepping(step));
     const double beginning = energy_of(simulation);
     for (int k = 1; k <= 150; ++k) {
       simulation.advance_to(0.01 * k);

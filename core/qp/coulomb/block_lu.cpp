@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/qp/coulomb/clones.h"
+#include "core/qp/block/clones.h"
+#include "core/qp/block/column.h"
 
 namespace wuerfel {
 namespace {
 
 /// C -= A B', blocks of three columns.
 inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
+  Column a[3];
+  for (int k = 0; k < 3; ++k)
+    load(A[k], a[k]);
   for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 4; ++r) {
-      C[c].v[r] -= (A[0].v[r] * B[0].v[c] + A[1].v[r] * B[1].v[c]) + A[2].v[r] * B[2].v[c];
-    }
+    Column column;
+    load(C[c], column);
+    column -= (a[0] * B[0].v[c] + a[1] * B[1].v[c]) + a[2] * B[2].v[c];
+    store(column, C[c]);
   }
 }
 
@@ -69,14 +74,11 @@ int invert(const Quad* A, Quad* X) {
 
 /// C := C X, three columns each.
 inline void multiply(Quad* C, const Quad* X) {
-  Quad P[3];
-  for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 4; ++r) {
-      P[c].v[r] = (C[0].v[r] * X[c].v[0] + C[1].v[r] * X[c].v[1]) + C[2].v[r] * X[c].v[2];
-    }
-  }
+  Column column[3];
+  for (int k = 0; k < 3; ++k)
+    load(C[k], column[k]);
   for (int c = 0; c < 3; ++c)
-    C[c] = P[c];
+    store((column[0] * X[c].v[0] + column[1] * X[c].v[1]) + column[2] * X[c].v[2], C[c]);
 }
 
 }  // namespace
@@ -141,9 +143,10 @@ WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
     const Quad z = v[j];
     for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {
       const Quad* L = lower_.data() + 3 * q;
-      double* t = v[pattern_.row[q]].v;
+      Quad t = v[pattern_.row[q]];
       for (int r = 0; r < 4; ++r)
-        t[r] -= (L[0].v[r] * z.v[0] + L[1].v[r] * z.v[1]) + L[2].v[r] * z.v[2];
+        t.v[r] -= (L[0].v[r] * z.v[0] + L[1].v[r] * z.v[1]) + L[2].v[r] * z.v[2];
+      v[pattern_.row[q]] = t;
     }
   }
   for (int j = pattern_.blocks - 1; j >= 0; --j) {
@@ -155,8 +158,10 @@ WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
         z[c] -= (U[c].v[0] * x[0] + U[c].v[1] * x[1]) + U[c].v[2] * x[2];
     }
     const Quad* X = inverse_.data() + 3 * j;
+    Quad x;
     for (int r = 0; r < 4; ++r)
-      v[j].v[r] = (X[0].v[r] * z[0] + X[1].v[r] * z[1]) + X[2].v[r] * z[2];
+      x.v[r] = (X[0].v[r] * z[0] + X[1].v[r] * z[1]) + X[2].v[r] * z[2];
+    v[j] = x;
   }
 }
 

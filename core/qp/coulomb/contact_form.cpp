@@ -3,26 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/qp/coulomb/clones.h"
+#include "core/qp/block/clones.h"
+#include "core/qp/block/column.h"
 
 namespace wuerfel {
 namespace {
 
-/// K_ba += b a', columns of three
-inline void add_outer(const Quad& b, const double* a, Quad* K) {
+/// K_ba += n p' + t q', columns of three
+inline void add_outer(const Column& n, const Column& p, const Column& t, const Column& q, Quad* K) {
   for (int c = 0; c < 3; ++c) {
-    for (int r = 0; r < 4; ++r)
-      K[c].v[r] += b.v[r] * a[c];
+    Column sum;
+    load(K[c], sum);
+    sum += n * p[c];
+    sum += t * q[c];
+    store(sum, K[c]);
   }
 }
 
-inline double dot(const Quad& a, const Quad& b) {
-  return (a.v[0] * b.v[0] + a.v[1] * b.v[1]) + a.v[2] * b.v[2];
-}
-
-inline Quad combine(double f, const Quad& a, double g, const Quad& b) {
-  return {{f * a.v[0] + g * b.v[0], f * a.v[1] + g * b.v[1], f * a.v[2] + g * b.v[2], 0.0}};
-}
+/// Normal and tangential part side by side.
+using Both = double __attribute__((vector_size(sizeof(Pair))));
 
 /// Adds the blocks of a row that are not there yet from `first` on.
 void add_blocks(const QuadraticProgram& p, int row, int first, std::vector<int>& blocks) {
@@ -170,24 +169,36 @@ void ContactForm::scale_row(const QuadraticProgram& p,
 
 WUERFEL_CLONES void ContactForm::apply(const Quad* y, Pair* out) const {
   for (const ContactUnit& unit : units_) {
-    Pair sum;
+    Both sum = {0.0, 0.0};
     for (int e = unit.first; e < unit.last; ++e) {
-      sum.n += dot(entry_[e].n, y[block_[e]]);
-      sum.t += dot(entry_[e].t, y[block_[e]]);
+      Column n;
+      Column t;
+      Column x;
+      load(entry_[e].n, n);
+      load(entry_[e].t, t);
+      load(y[block_[e]], x);
+      n *= x;
+      t *= x;
+      sum += (Both{n[0], t[0]} + Both{n[1], t[1]}) + Both{n[2], t[2]};
     }
-    *out++ = sum;
+    *out++ = {sum[0], sum[1]};
   }
 }
 
 WUERFEL_CLONES void ContactForm::apply_transposed(const Pair* l, Quad* out) const {
   std::fill(out, out + blocks_, Quad{});
   for (const ContactUnit& unit : units_) {
-    const Pair& f = *l++;
+    const Pair f = *l++;
     if (f.n == 0.0 && f.t == 0.0) continue;
     for (int e = unit.first; e < unit.last; ++e) {
-      double* to = out[block_[e]].v;
-      for (int c = 0; c < 4; ++c)
-        to[c] += f.n * entry_[e].n.v[c] + f.t * entry_[e].t.v[c];
+      Column n;
+      Column t;
+      Column sum;
+      load(entry_[e].n, n);
+      load(entry_[e].t, t);
+      load(out[block_[e]], sum);
+      sum += f.n * n + f.t * t;
+      store(sum, out[block_[e]]);
     }
   }
 }
@@ -204,18 +215,18 @@ WUERFEL_CLONES bool ContactForm::factorise(const std::vector<Weight>& weight) {
     pair += size * (size + 1) / 2;
     if (w.nn == 0.0 && w.tt == 0.0 && w.tn == 0.0 && w.nt == 0.0) continue;
     for (int a = unit.first; a < unit.last; ++a) {
-      const ContactEntry& A = entry_[a];
-      const Quad p = combine(w.nn, A.n, w.nt, A.t);
-      const Quad q = combine(w.tn, A.n, w.tt, A.t);
+      Column n_a;
+      Column t_a;
+      load(entry_[a].n, n_a);
+      load(entry_[a].t, t_a);
       for (int b = a; b < unit.last; ++b, ++place) {
-        const ContactEntry& B = entry_[b];
-        add_outer(B.n, p.v, lu_.lower(*place));
-        add_outer(B.t, q.v, lu_.lower(*place));
+        Column n_b;
+        Column t_b;
+        load(entry_[b].n, n_b);
+        load(entry_[b].t, t_b);
+        add_outer(n_b, w.nn * n_a + w.nt * t_a, t_b, w.tn * n_a + w.tt * t_a, lu_.lower(*place));
         if (b == a) continue;
-        const Quad r = combine(w.nn, A.n, w.tn, A.t);
-        const Quad s = combine(w.nt, A.n, w.tt, A.t);
-        add_outer(B.n, r.v, lu_.upper(*place));
-        add_outer(B.t, s.v, lu_.upper(*place));
+        add_outer(n_b, w.nn * n_a + w.tn * t_a, t_b, w.nt * n_a + w.tt * t_a, lu_.upper(*place));
       }
     }
   }

@@ -7,9 +7,9 @@ namespace wuerfel {
 namespace {
 
 constexpr double noise_share = 1e-13;
-constexpr int most_passes = 100;     ///< back-solves per factorisation
-constexpr double slow_share = 0.5;   ///< of what rows miss that a proximal step leaves
-constexpr double delta_fall = 1e-2;  ///< by which compliance shrinks then
+constexpr int most_passes = 100;    ///< back-solves per factorisation
+constexpr double slow_share = 0.5;  ///< of what rows miss that a proximal step leaves
+constexpr double delta_fall = 0.1;  ///< by which compliance shrinks then
 /// Proximal steps that get no nearer end here: what is left may be rounding.
 constexpr double near_goal = 2e-11;
 constexpr double stalled_share = 0.9;

@@ -143,16 +143,19 @@ double ModePath::entering_rate(const ContactForm& form,
   return slip_sign(to) * slack_rate(form, i).t;
 }
 
+void ModePath::Crossing::meet(double value, double rate, int other, ContactMode mode) {
+  if (rate >= 0.0) return;
+  const double sooner = std::max(value, 0.0) / -rate;
+  if (sooner < step) *this = {sooner, other, mode};
+}
+
 ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
                                            const std::vector<ContactMode>& modes,
                                            const ContactPoint& point,
                                            double direction) const {
   Crossing first;
   const auto meet = [&](double value, double rate, int unit, ContactMode to) {
-    rate *= direction;
-    if (rate >= 0.0) return;
-    const double step = std::max(value, 0.0) / -rate;
-    if (step < first.step) first = {step, unit, to};
+    first.meet(value, rate * direction, unit, to);
   };
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];

@@ -53,6 +53,8 @@ class ModePath {
     double step = unbounded;
     int unit = -1;
     ContactMode to = ContactMode::open;
+    /// A unit that comes into another mode where `value`, which grows at `rate`, comes to zero.
+    void meet(double value, double rate, int other, ContactMode mode);
   };
   ModePathOutcome follow(ContactForm& form,
                          std::vector<ContactMode>& modes,
@@ -65,7 +67,7 @@ class ModePath {
   [[nodiscard]] double entering_rate(const ContactForm& form,
                                      ContactMode from,
                                      ContactMode to,
-                                     int unit) const;
+                                     int i) const;
   [[nodiscard]] Crossing next_crossing(const ContactForm& form,
                                        const std::vector<ContactMode>& modes,
                                        const ContactPoint& point,

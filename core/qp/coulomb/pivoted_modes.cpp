@@ -26,6 +26,7 @@ bool PivotedModes::factorise(const ContactForm& form,
                              double delta) {
   number(form, modes);
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * form.blocks());
   for (int j = 0; j < 3 * form.blocks(); ++j)
     entries.emplace_back(j, j, 1.0);
   for (int i = 0; i < form.count(); ++i) {

@@ -6,8 +6,9 @@
 namespace wuerfel {
 namespace {
 
-constexpr int steps = 1 << 20;          ///< of the factor
-constexpr double energy_noise = 1e-13;  ///< share of the energy that is rounding
+constexpr int steps = 1 << 20;            ///< of the factor
+constexpr int coarse_steps = steps / 64;  ///< where the law has no solution beyond: none costs most
+constexpr double energy_noise = 1e-13;    ///< share of the energy that is rounding
 
 double energy(const QuadraticProgram& p, const std::vector<double>& x) {
   double sum = 0.0;
@@ -27,6 +28,7 @@ void impact_with_restitution(CoulombSolver& solver,
   QuadraticProgram program = friction.program;
   const double before = energy(program, program.target);
   CoulombResult found;
+  bool solved = false;
   // The solution is kept: asked again it could be another one.
   const auto allowed = [&](int step) {
     const double factor = static_cast<double>(step) / steps;
@@ -36,8 +38,8 @@ void impact_with_restitution(CoulombSolver& solver,
       program.bound[row] = friction.program.bound[row] + factor * bounce;
     }
     solver.solve({program, friction.contacts}, found, keys);
-    const bool passed = found.status == QpStatus::optimal
-                        && energy(program, found.x) <= before * (1.0 + energy_noise);
+    solved = found.status == QpStatus::optimal;
+    const bool passed = solved && energy(program, found.x) <= before * (1.0 + energy_noise);
     if (passed || step == 0) {
       std::swap(result.solution, found);
       result.factor = factor;
@@ -47,9 +49,12 @@ void impact_with_restitution(CoulombSolver& solver,
   if (allowed(steps)) return;
   int low = 0;
   int high = steps;
-  while (high - low > 1) {
+  int nearest = solved ? 1 : coarse_steps;
+  while (high - low > nearest) {
     const int middle = low + (high - low) / 2;
-    (allowed(middle) ? low : high) = middle;
+    const bool passed = allowed(middle);
+    if (!passed) nearest = solved ? 1 : coarse_steps;
+    (passed ? low : high) = middle;
   }
   if (low == 0) (void)allowed(0);
 }

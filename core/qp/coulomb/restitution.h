@@ -16,7 +16,7 @@ namespace wuerfel {
 
 struct ImpactResult {
   CoulombResult solution;  ///< velocities after the impact, impulses
-  /// What all e were multiplied by, in steps of 2^-20: 1 unless the energy would have risen.
+  /// What all e were multiplied by: 1 unless the energy would have risen (to 2^-20) or there was no solution (to 2^-6).
   double factor = 1.0;
 };
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/block/clones.h"
+#include "core/qp/block/column.h"
+
 namespace wuerfel {
 namespace {
 
@@ -12,22 +15,37 @@ constexpr int most_refinements = 3;
 
 constexpr int few_rows = 8;
 
+constexpr int lanes = sizeof(Column) / sizeof(double);
+
 /// Sum in four parts, which go on side by side.
-double dot(const double* a, const double* b, int n) {
-  double s0 = 0.0;
-  double s1 = 0.0;
-  double s2 = 0.0;
-  double s3 = 0.0;
+inline double dot(const double* a, const double* b, int n) {
+  Column sum = {0.0, 0.0, 0.0, 0.0};
   int k = 0;
-  for (; k + 4 <= n; k += 4) {
-    s0 += a[k] * b[k];
-    s1 += a[k + 1] * b[k + 1];
-    s2 += a[k + 2] * b[k + 2];
-    s3 += a[k + 3] * b[k + 3];
+  for (; k + lanes <= n; k += lanes) {
+    Column x;
+    Column y;
+    load(a + k, x);
+    load(b + k, y);
+    sum += x * y;
+  }
+  double first = sum[0];
+  for (; k < n; ++k)
+    first += a[k] * b[k];
+  return (first + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// r -= a * factor, n numbers.
+inline void subtract(const double* a, double factor, int n, double* r) {
+  int k = 0;
+  for (; k + lanes <= n; k += lanes) {
+    Column x;
+    Column y;
+    load(a + k, x);
+    load(r + k, y);
+    store(y - x * factor, r + k);
   }
   for (; k < n; ++k)
-    s0 += a[k] * b[k];
-  return (s0 + s1) + (s2 + s3);
+    r[k] -= a[k] * factor;
 }
 
 /// x += M^-1 row' * factor.
@@ -37,6 +55,85 @@ void add_push(const QuadraticProgram& p, int row, double factor, double* x) {
     for (int c = 0; c < size; ++c)
       x[first + c] += J[c] * factor / mass[first + c];
   });
+}
+
+/// Blocks of cubes.
+constexpr int cube_size = 3;
+
+/// J x of a row of cubes.
+double value_of(const QuadraticProgram& p, int row, const double* x) {
+  const int* start = p.row_start.data() + row;
+  const int* block = p.entry_block.data() + start[0];
+  const double* J = p.coefficients.data() + start[0] * cube_size;
+  double sum = 0.0;
+  for (int e = start[0]; e < start[1]; ++e, J += cube_size) {
+    const double* at = x + *block++ * cube_size;
+    sum += J[0] * at[0];
+    sum += J[1] * at[1];
+    sum += J[2] * at[2];
+  }
+  return sum;
+}
+
+/// x += M^-1 row' * factor, of a row of cubes.
+void push_cubes(const QuadraticProgram& p, int row, double factor, double* x) {
+  const int* start = p.row_start.data() + row;
+  const int* block = p.entry_block.data() + start[0];
+  const double* J = p.coefficients.data() + start[0] * cube_size;
+  const double* mass = p.mass.data();
+  for (int e = start[0]; e < start[1]; ++e, J += cube_size) {
+    const int first = *block++ * cube_size;
+    x[first] += J[0] * factor / mass[first];
+    x[first + 1] += J[1] * factor / mass[first + 1];
+    x[first + 2] += J[2] * factor / mass[first + 2];
+  }
+}
+
+/// r := S^-1 r with the whole triangle of the factor, row by row, of few rows.
+inline void substitute_few(const double* l, const double* inverse, int rows, double* r) {
+  for (int i = 0; i < rows; ++i, ++l) {
+    for (int j = 0; j < i; ++j)
+      r[i] -= *l++ * r[j];
+    r[i] *= inverse[i];
+  }
+  for (int i = rows - 1; i >= 0; --i) {
+    r[i] *= inverse[i];
+    l -= i + 1;
+    for (int j = 0; j < i; ++j)
+      r[j] -= l[j] * r[i];
+  }
+}
+
+/// EqualitySolver::move_onto_rows for few rows of cubes: of all solves within smooth motions most are such.
+/// One row or two, known to the compiler, stay in registers; 0: as many as there are.
+template <int known_rows>
+[[gnu::noinline]] void move_onto_few_rows(const QuadraticProgram& p,
+                                          const std::vector<int>& order,
+                                          const double* factor,
+                                          const double* inverse,
+                                          double* x,
+                                          double* multiplier) {
+  const int rows = known_rows > 0 ? known_rows : static_cast<int>(order.size());
+  const int* row = order.data();
+  double r[few_rows];
+  double scale = 0.0;
+  for (int round = 0; round <= most_refinements; ++round) {
+    double worst = 0.0;
+    for (int i = 0; i < rows; ++i) {
+      const double b = p.bound[row[i]];
+      const double reached = value_of(p, row[i], x);
+      if (round == 0) scale = std::max(scale, std::max(std::abs(b), std::abs(reached)));
+      r[i] = b - reached;
+      if (inverse[i] != 0.0) worst = std::max(worst, std::abs(r[i]));
+    }
+    if (worst <= refined_share * scale) return;
+    substitute_few(factor, inverse, rows, r);
+    for (int i = 0; i < rows; ++i) {
+      if (r[i] == 0.0) continue;
+      multiplier[row[i]] += r[i];
+      push_cubes(p, row[i], r[i], x);
+    }
+  }
 }
 
 }  // namespace
@@ -97,6 +194,7 @@ void EqualitySolver::fill_triangle() {
   const int rows = static_cast<int>(row_.size());
   order_ = row_;
   couplings_.clear();
+  couplings_.reserve(rows * (rows + 1));
   first_.assign(rows, 0);
   start_.resize(rows);
   for (int i = 0; i < rows; ++i) {
@@ -169,9 +267,8 @@ inline void EqualitySolver::assemble(const QuadraticProgram& p) {
       factor[c.place] += sum;
     }
   };
-  constexpr int usual_size = 3;  // known to the compiler it is faster
-  if (p.block_size == usual_size) {
-    add_products(usual_size);
+  if (p.block_size == cube_size) {
+    add_products(cube_size);  // known to the compiler it is faster
   } else {
     add_products(p.block_size);
   }
@@ -195,7 +292,7 @@ void EqualitySolver::factorise(const QuadraticProgram& p, const std::vector<char
   factorise_again(p);
 }
 
-void EqualitySolver::factorise_again(const QuadraticProgram& p) {
+WUERFEL_CLONES void EqualitySolver::factorise_again(const QuadraticProgram& p) {
   assemble(p);
   dependent_ = 0;
   for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
@@ -220,7 +317,7 @@ void EqualitySolver::factorise_again(const QuadraticProgram& p) {
 }
 
 /// r := S^-1 r over the rows that are kept, 0 on the others.
-inline void EqualitySolver::substitute(std::vector<double>& r) const {
+WUERFEL_CLONES void EqualitySolver::substitute(std::vector<double>& r) const {
   const int rows = static_cast<int>(r.size());
   for (int i = 0; i < rows; ++i) {
     double sum = r[i];
@@ -231,8 +328,7 @@ inline void EqualitySolver::substitute(std::vector<double>& r) const {
   for (int i = rows - 1; i >= 0; --i) {
     const double x = r[i] * inverse_[i];
     r[i] = x;
-    for (int j = first_[i]; j < i; ++j)
-      r[j] -= at(i, j) * x;
+    subtract(factor_.data() + place(i, first_[i]), x, i - first_[i], r.data() + first_[i]);
   }
 }
 
@@ -278,9 +374,19 @@ void EqualitySolver::move_onto_rows(const QuadraticProgram& p,
 void EqualitySolver::solve(const QuadraticProgram& p,
                            std::vector<double>& x,
                            std::vector<double>& multiplier) {
-  x = p.target;
-  multiplier.assign(p.rows(), 0.0);
-  move_onto_rows(p, x, multiplier);
+  if (x.size() != p.target.size()) x.resize(p.target.size());
+  const double* f = p.target.data();
+  for (double& x_i : x)
+    x_i = *f++;
+  if (std::ssize(multiplier) != p.rows()) multiplier.resize(p.rows());
+  for (double& lambda : multiplier)
+    lambda = 0.0;
+  const auto rows = std::ssize(order_);
+  if (rows > few_rows || p.block_size != cube_size) return move_onto_rows(p, x, multiplier);
+  const auto move = rows == 1   ? move_onto_few_rows<1>
+                    : rows == 2 ? move_onto_few_rows<2>
+                                : move_onto_few_rows<0>;
+  move(p, order_, factor_.data(), inverse_.data(), x.data(), multiplier.data());
 }
 
 void EqualitySolver::refine(const QuadraticProgram& p,

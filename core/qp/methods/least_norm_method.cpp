@@ -4,19 +4,20 @@
 #include <cmath>
 
 #include "core/qp/block/quad_vector.h"
+#include "core/qp/methods/piecewise_slope.h"
 
 namespace wuerfel {
 namespace {
 
-constexpr double first_rho = 1e8;    ///< in units of 1 / |g|^2
-constexpr double last_rho = 1e12;    ///< beyond it bodies that are free to move drown in rounding
-constexpr double stiffening = 1e2;   ///< where nearly dependent rows settle slowly
-constexpr double dead_zone = 1e-14;  ///< of a row's scale: less force is none
-constexpr double exact = 2e-15;      ///< a misfit that is nothing but rounding
-constexpr double good = 1e-12;       ///< a misfit that is not worth another factorisation
-constexpr double progress = 0.5;
-constexpr int patience = 3;  ///< steps on the same rows that halve nothing
-constexpr int most_steps = 300;
+constexpr double first_penalty = 1e8;  ///< in units of 1 / |g|^2
+constexpr double last_penalty = 1e12;  ///< beyond it bodies that are free to move drown in rounding
+constexpr double stiffening = 1e2;     ///< where nearly dependent rows settle slowly
+constexpr double dead_share = 1e-14;   ///< of a row's scale: less force is none
+constexpr double exact_misfit = 2e-15;  ///< a misfit that is nothing but rounding
+constexpr double good_misfit = 1e-12;   ///< a misfit that is not worth another factorisation
+constexpr double halved = 0.5;
+constexpr int most_lost = 3;  ///< steps on the same rows that halve nothing
+constexpr int most_newton_steps = 300;
 constexpr int most_factorisations = 100;
 
 }  // namespace
@@ -29,24 +30,24 @@ LeastNormOutcome LeastNormMethod::run(LeastDistance& problem,
   evaluate(problem, target);
   double best = unbounded;
   int lost = 0;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_newton_steps; ++step) {
     find_direction(problem);
     const double length = step == 0 ? 1.0 : line_search(problem);
     for (std::size_t i = 0; i < at_.raw.size(); ++i)
       at_.raw[i] += length * step_.Gd[i];
     evaluate(problem, target);
     find_scales(problem, weight);
-    lost = at_.misfit > progress * best ? lost + 1 : 0;
+    lost = at_.misfit > halved * best ? lost + 1 : 0;
     if (at_.misfit < best) {
       best = at_.misfit;
       best_ = at_.lambda;
     }
-    if (best <= exact) break;
+    if (best <= exact_misfit) break;
     const bool changed = find_active(problem);
-    if (lost >= patience && best <= good) break;
-    if (!changed && lost < patience) continue;
+    if (lost >= most_lost && best <= good_misfit) break;
+    if (!changed && lost < most_lost) continue;
     if (!changed) {
-      if (rho_ * problem.square().front() >= last_rho) break;
+      if (rho_ * problem.square().front() >= last_penalty) break;
       rho_ *= stiffening;
       lost = 0;
     }
@@ -76,7 +77,7 @@ void LeastNormMethod::start(LeastDistance& problem, const std::vector<double>& o
     least = std::min(least, square);
     most = std::max(most, square);
   }
-  rho_ = most > 0.0 ? first_rho / (std::sqrt(least) * std::sqrt(most)) : first_rho;
+  rho_ = most > 0.0 ? first_penalty / (std::sqrt(least) * std::sqrt(most)) : first_penalty;
   factorisations_ = 0;
   factorise(problem);
 }
@@ -132,7 +133,7 @@ void LeastNormMethod::find_scales(const LeastDistance& problem, const std::vecto
 bool LeastNormMethod::find_active(const LeastDistance& problem) {
   bool changed = false;
   for (std::size_t i = 0; i < active_.size(); ++i) {
-    const double dead = active_[i] != 0 ? 0.0 : dead_zone * row_scale_[i];
+    const double dead = active_[i] != 0 ? 0.0 : dead_share * row_scale_[i];
     const double raw = at_.raw[i];
     const bool inside = problem.square()[i] > 0.0 && raw > problem.force_min()[i] + dead
                         && raw < problem.force_max()[i] - dead;
@@ -145,8 +146,7 @@ bool LeastNormMethod::find_active(const LeastDistance& problem) {
 /// The step in (0, 1] at which the dual is least along the direction: its derivative is piecewise
 /// linear, so its root is found by walking the places where a row leaves or enters its range.
 double LeastNormMethod::line_search(const LeastDistance& problem) {
-  double slope = -rho_ * dot(at_.rest, step_.d);
-  double curvature = 0.0;
+  PiecewiseSlope dual{-rho_ * dot(at_.rest, step_.d)};
   breakpoints_.clear();
   for (std::size_t i = 0; i < at_.raw.size(); ++i) {
     const double rate = step_.Gd[i];
@@ -162,19 +162,17 @@ double LeastNormMethod::line_search(const LeastDistance& problem) {
     inside =
         (low > 0.0 || (low == 0.0 && rate > 0.0)) && (high > 0.0 || (high == 0.0 && rate < 0.0));
     active_weight_[i] = inside ? 1.0 : 0.0;
-    if (inside) curvature += rate * rate;
+    if (inside) dual.curvature += rate * rate;
   }
   std::sort(breakpoints_.begin(), breakpoints_.end());
-  double at = 0.0;
   for (const auto& [next, i] : breakpoints_) {
-    if (slope + curvature * (next - at) >= 0.0) return at - slope / curvature;
-    slope += curvature * (next - at);
-    at = next;
+    if (!dual.goes_on_to(next)) return dual.zero();
     active_weight_[i] = 1.0 - active_weight_[i];
     const double change = step_.Gd[i] * step_.Gd[i];
-    curvature += active_weight_[i] > 0.0 ? change : -change;
+    dual.curvature += active_weight_[i] > 0.0 ? change : -change;
   }
-  return slope + curvature * (1.0 - at) > 0.0 && curvature > 0.0 ? at - slope / curvature : 1.0;
+  const bool rises = dual.slope + dual.curvature * (1.0 - dual.at) > 0.0;
+  return rises && dual.curvature > 0.0 ? dual.zero() : 1.0;
 }
 
 }  // namespace wuerfel

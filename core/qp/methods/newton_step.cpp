@@ -4,6 +4,7 @@
 
 #include "core/qp/block/quad_vector.h"
 #include "core/qp/methods/newton_method.h"
+#include "core/qp/methods/piecewise_slope.h"
 
 namespace wuerfel {
 namespace {
@@ -107,8 +108,7 @@ bool NewtonMethod::keeps_sides(const LeastDistance& problem) const {
 double NewtonMethod::line_search(const LeastDistance& problem) {
   breakpoints_.clear();
   const double rho = penalty_.rho;
-  double slope = -dot(step_.rhs, step_.d);
-  double curvature = dot(step_.d, step_.d);
+  PiecewiseSlope phi{-dot(step_.rhs, step_.d), dot(step_.d, step_.d)};
   for (int i = 0; i < problem.rows(); ++i) {
     const double rate = rho * step_.Gd[i];
     if (rate == 0.0) continue;
@@ -119,17 +119,14 @@ double NewtonMethod::line_search(const LeastDistance& problem) {
       if (step > 0.0 && step < 1.0) breakpoints_.emplace_back(step, i);
     }
     weight_[i] = side_[i] == 0 ? rho : 0.0;
-    if (side_[i] == 0) curvature += rate * step_.Gd[i];
+    if (side_[i] == 0) phi.curvature += rate * step_.Gd[i];
   }
   std::sort(breakpoints_.begin(), breakpoints_.end());
-  double at = 0.0;
   for (const auto& [next, i] : breakpoints_) {
-    if (slope + curvature * (next - at) >= 0.0) return at - slope / curvature;
-    slope += curvature * (next - at);
-    at = next;
+    if (!phi.goes_on_to(next)) return phi.zero();
     weight_[i] = rho - weight_[i];
     const double change = rho * step_.Gd[i] * step_.Gd[i];
-    curvature += weight_[i] > 0.0 ? change : -change;
+    phi.curvature += weight_[i] > 0.0 ? change : -change;
   }
   return 1.0;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include <Eigen/Core>
+
 namespace wuerfel {
 namespace {
 
@@ -185,15 +187,14 @@ double sum(std::span<const Term> terms, const Stages& k, std::size_t i) {
   return total;
 }
 
-/// Sums of a few components that follow one another, side by side in registers.
+/// A few components that follow one another, side by side in registers: those of a cube.
 constexpr int width = 6;
-std::array<double, width> sums(std::span<const Term> terms, const Stages& k, std::size_t first) {
-  std::array<double, width> total{};
-  for (const Term& term : terms) {
-    const double* stage = k[term.stage].data() + first;
-    for (int c = 0; c < width; ++c)
-      total[c] += term.factor * stage[c];
-  }
+using Part = Eigen::Matrix<double, width, 1>;
+
+Part sums(std::span<const Term> terms, const Stages& k, std::size_t first) {
+  Part total = Part::Zero();
+  for (const Term& term : terms)
+    total += term.factor * Eigen::Map<const Part>(k[term.stage].data() + first);
   return total;
 }
 
@@ -205,11 +206,9 @@ void combine(std::span<const Term> terms,
              std::vector<double>& result) {
   result.resize(y.size());
   std::size_t i = 0;
-  for (; i + width <= y.size(); i += width) {
-    const std::array<double, width> total = sums(terms, k, i);
-    for (int c = 0; c < width; ++c)
-      result[i + c] = y[i + c] + h * total[c];
-  }
+  for (; i + width <= y.size(); i += width)
+    Eigen::Map<Part>(result.data() + i) =
+        Eigen::Map<const Part>(y.data() + i) + h * sums(terms, k, i);
   for (; i < y.size(); ++i)
     result[i] = y[i] + h * sum(terms, k, i);
 }
@@ -218,8 +217,10 @@ void combine(std::span<const Term> terms,
 
 void Dop853::begin(const std::vector<double>& rate, double h) {
   h_ = h;
-  for (auto& k : k_)
-    k.resize(rate.size());
+  if (k_.back().size() != rate.size()) {
+    for (auto& k : k_)
+      k.resize(rate.size());
+  }
   k_[0] = rate;
 }
 

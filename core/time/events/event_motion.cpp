@@ -30,7 +30,7 @@ constexpr double moved_share = 1e-8;
 constexpr double trusted_share = 0.01;
 constexpr int most_corrections = 4;
 /// Rates of loads are differences over this share of L / V.
-constexpr double difference_share = 1e-6;
+constexpr double ahead_share = 1e-6;
 /// What is left of bouncing when a contact no longer bounces takes less than this share of L / V.
 constexpr double longest_tail = 0.05;
 
@@ -207,7 +207,7 @@ Jet EventMotion::value_at_end(const FirstEvent& event) {
   }
   const auto& release = std::get<ForceEvents::First>(event);
   if (!release.load) return {};
-  const double ahead = difference_share * phase_.scales().time;
+  const double ahead = ahead_share * phase_.scales().time;
   std::vector<double> later;
   phase_.loads_at(phase_.shifted_end(ahead), later);
   const double now = phase_.last().loads[*release.load];

@@ -78,11 +78,14 @@ void SmoothPhase::begin(const State& state,
 void SmoothPhase::evaluate(const std::vector<double>& y, std::vector<double>& rate) {
   equations_(y, rate);
   equations_.find_loads(seen_);
-  step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
-                                         -std::numeric_limits<double>::infinity()});
-  for (std::size_t k = 0; k < seen_.size(); ++k) {
-    BorneRange& range = step_.load_range[k];
-    range = {std::min(range.low, seen_[k]), std::max(range.high, seen_[k])};
+  if (step_.load_range.size() != seen_.size()) {
+    step_.load_range.resize(seen_.size(), {std::numeric_limits<double>::infinity(),
+                                           -std::numeric_limits<double>::infinity()});
+  }
+  const double* load = seen_.data();
+  for (BorneRange& range : step_.load_range) {
+    range = {std::min(range.low, *load), std::max(range.high, *load)};
+    ++load;
   }
 }
 

@@ -22,20 +22,19 @@ constexpr double diverged_times = 1e12;
 /// Share of a step within which a time counts as a grid time.
 constexpr double same_time = 1e-9;
 
+RestartPoint beginning(const System& system, const State& start) {
+  RestartPoint point;
+  point.state = start;
+  point.momentum = momentum_scale(system, start, scales_of(system, start).speed);
+  return point;
+}
+
 }  // namespace
 
 FixedStepMotion::FixedStepMotion(const System& system,
                                  const MotionSettings& settings,
                                  const State& start)
-    : system_(&system),
-      settings_(settings),
-      method_(make_method()),
-      scales_(scales_of(system, start)),
-      energy_start_(energy(system, start)),
-      in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
-      momentum_(momentum_scale(system, start, scales_.speed)) {
-  begin(start);
-}
+    : FixedStepMotion(system, settings, start, beginning(system, start)) {}
 
 FixedStepMotion::FixedStepMotion(const System& system,
                                  const MotionSettings& settings,
@@ -104,11 +103,8 @@ void FixedStepMotion::step() {
   momentum_.include(momentum_scale(*system_, grid_.state, scales_.speed));
   note_unexplained(momentum_, book_);
   // Euler's steps as printed move places by the old velocities, which turns momenta without a bound.
-  if (!policy_of(settings_).as_printed) {
+  if (!policy_of(settings_).as_printed)
     book_.audit.momentum_budget = promised_momentum_of_first_order;
-    const double t = grid_.t + settings_.step;
-    book_.audit.settled_budget = promised_settled_of_first_order * (1.0 + t / scales_.time);
-  }
   hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
   if (policy_of(settings_).method == MotionPolicy::Method::moreau) note_energy();

@@ -40,7 +40,7 @@ Push LengthCorrection::correct(State& state,
   state = std::move(slowed.state);
   const bool fixed =
       touches_fixed(*system_, pressed) || std::ranges::any_of(system_->rods, is_held);
-  const Push settled = fixed ? unexplained(*system_, before, state, 0.0, {}) : Push{};
+  Push settled = fixed ? unexplained(*system_, before, state, 0.0, {}) : Push{};
   book.settled += settled;
   return settled;
 }

@@ -294,11 +294,17 @@ Rise settle_energy(
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
     }
   }
-  // What slides as a whole has no motion to pay with: others of the group do.
-  for (const StepComponent& part : record.components) {
-    if (rise.unpaid <= 0.0) break;
+  const auto pay = [&](const StepComponent& part, const RigidMotion& kept_motion) {
+    if (rise.unpaid <= 0.0) return;
     const double goal = energy_of(system, end, part.cubes) - rise.unpaid;
-    rise.unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept(part), goal, 1.0, end));
+    rise.unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept_motion, goal, 1.0, end));
+  };
+  // What slides as a whole has no motion to pay with: others of the group do.
+  for (const StepComponent& part : record.components)
+    pay(part, kept(part));
+  // Fixed bodies that rub take momentum along their sides, too.
+  for (const StepComponent& part : record.components) {
+    if (system.rubs && !part.fixed_normals.empty()) pay(part, RigidMotion{});
   }
   return rise;
 }

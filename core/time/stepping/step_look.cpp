@@ -84,7 +84,7 @@ void place_struck(const BodyState& from,
 
 /// Velocities of looks are scaled up by no more than this factor: between the blows of a step in which one cube strikes
 /// several others there may be half of the energy.
-constexpr double most_given_back = 3.0;
+constexpr double most_scaled_up = 3.0;
 
 /// Looks may not depend on other looks.
 MotionSettings without_memory(MotionSettings settings) {
@@ -192,7 +192,7 @@ void StepLook::settle_energy(const StepComponent& part,
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
   const RigidMotion kept =
       kept_motion(momentum_of(*system_, state, part.cubes), part.fixed_normals);
-  const double missing = scale_to_energy(*system_, part.cubes, kept, goal, most_given_back, state);
+  const double missing = scale_to_energy(*system_, part.cubes, kept, goal, most_scaled_up, state);
   // Fixed bodies that rub take momentum along their sides, too.
   if (missing < 0.0 && system_->rubs && !part.fixed_normals.empty())
     scale_to_energy(*system_, part.cubes, RigidMotion{}, goal, 1.0, state);
@@ -233,7 +233,7 @@ State StepLook::at(
     const std::array<int, 1> alone{cube};
     const double start = energy_of(*system_, from, alone);
     const double goal = start + share * (energy_of(*system_, to, alone) - start);
-    scale_to_energy(*system_, alone, RigidMotion{}, goal, most_given_back, state);
+    scale_to_energy(*system_, alone, RigidMotion{}, goal, most_scaled_up, state);
   }
   return state;
 }

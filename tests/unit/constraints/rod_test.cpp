@@ -8,10 +8,6 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr int trials = 200;
-constexpr double first_tolerance = 1e-10;
-constexpr double second_tolerance = 1e-7;
-
 TEST(Rod, VelocityRowIsHalfTheRateOfTheSquaredLength) {
   RandomNumbers random(1);
   for (int trial = 0; trial < trials; ++trial) {

@@ -10,11 +10,8 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr int trials = 200;
 constexpr double first_step = 1e-3;
 constexpr double second_step = 2e-3;
-constexpr double first_tolerance = 1e-10;
-constexpr double second_tolerance = 1e-7;
 
 /// Three points that move at random; p_k starts on the side at `alpha` and, if asked for, with A' =
 /// 0.

@@ -9,15 +9,15 @@
 namespace wuerfel::test {
 namespace {
 
-struct Found {
+struct FoundTouches {
   Mechanism m;
   std::vector<Contact> contacts;
   std::vector<Touch> touches;
   std::vector<Box> boxes;
 };
 
-Found find(const Scene& scene) {
-  Found found{Mechanism(scene), {}, {}, {}};
+FoundTouches find_touches(const Scene& scene) {
+  FoundTouches found{Mechanism(scene), {}, {}, {}};
   ContactFinder finder;
   finder.find(found.m.system, found.m.state, found.contacts);
   found.touches = finder.touches();
@@ -25,7 +25,7 @@ Found find(const Scene& scene) {
   return found;
 }
 
-ContactSet closed_rows(const Found& f, const std::vector<char>& closed) {
+ContactSet closed_rows(const FoundTouches& f, const std::vector<char>& closed) {
   ContactSet rows;
   for (const Touch& touch : f.touches)
     add_closed_rows(f.m.system, f.boxes, touch, f.contacts, closed, rows);
@@ -42,7 +42,7 @@ TEST(Touch, IsFlushOnAPlaneOrAtACorner) {
   Scene scene = on_floor({sized_cube("low", {0.0, 0.5}, {2.0, 1.0}), cube("up", {0.1, 1.5})});
   const Vec2 arm = make_box(Vec2::Zero(), 0.7, {0.5, 0.5}).arm[0];
   scene.cubes.push_back(sized_cube("tip", Vec2(0.2, 2.0) - arm, {0.5, 0.5}, 0.7));
-  const Found f = find(scene);
+  const FoundTouches f = find_touches(scene);
   ASSERT_EQ(f.touches.size(), 3U);
   const Touch& flush = f.touches[0];
   EXPECT_EQ(flush.kind, Touch::Kind::flush);
@@ -66,7 +66,7 @@ TEST(Touch, ContactsOfATouchAreThoseOfItsPair) {
     for (int k = 0; k < 3; ++k)
       cubes.push_back(cube("c" + std::to_string(cubes.size()), {k + 0.5 * (row % 2), 0.5 + row}));
   }
-  const Found f = find(on_floor(cubes));
+  const FoundTouches f = find_touches(on_floor(cubes));
   int next = 0;
   for (const Touch& touch : f.touches) {
     EXPECT_EQ(touch.first, next);
@@ -91,8 +91,8 @@ TEST(Touch, ContactsOfATouchAreThoseOfItsPair) {
 TEST(Touch, OverlapIsSeenFromTheSideOfTheFirstContact) {
   for (const double shift : {-0.7, -0.2, 0.0, 0.3, 1.1}) {
     for (const double width : {0.5, 1.0, 2.0}) {
-      const Found f =
-          find(on_floor({cube("a", {0.0, 0.5}), sized_cube("b", {shift, 1.5}, {width, 1.0})}));
+      const FoundTouches f = find_touches(
+          on_floor({cube("a", {0.0, 0.5}), sized_cube("b", {shift, 1.5}, {width, 1.0})}));
       const Touch& touch = f.touches[0];
       if (touch.kind != Touch::Kind::flush) continue;
       const double expected =
@@ -106,8 +106,8 @@ TEST(Touch, OverlapIsSeenFromTheSideOfTheFirstContact) {
 
 TEST(Touch, ClosedFlushSidesHaveBothCornersOfTheShorterOne) {
   for (const double width : {0.5, 2.0}) {
-    const Found f =
-        find(on_floor({cube("a", {0.0, 0.5}), sized_cube("b", {0.4, 1.5}, {width, 1.0})}));
+    const FoundTouches f =
+        find_touches(on_floor({cube("a", {0.0, 0.5}), sized_cube("b", {0.4, 1.5}, {width, 1.0})}));
     const ContactSet rows = closed_rows(f, std::vector<char>(f.contacts.size(), 1));
     ASSERT_EQ(rows.touches.size(), 2U);
     const Touch& touch = rows.touches[0];
@@ -126,7 +126,7 @@ TEST(Touch, ClosedFlushSidesHaveBothCornersOfTheShorterOne) {
 }
 
 TEST(Touch, OfWhichOneEndOpensIsOneAtACorner) {
-  const Found f = find(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})}));
+  const FoundTouches f = find_touches(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})}));
   std::vector<char> closed(f.contacts.size(), 1);
   closed[0] = 0;
   closed[2] = 0;
@@ -143,7 +143,7 @@ TEST(Touch, OfWhichOneEndOpensIsOneAtACorner) {
 TEST(Touch, LoadsAreThoseOfTheLeverAtTheEndsOfTheOverlap) {
   //      +---b---+     sides [-0.1, 0.9] on [-0.5, 0.5]: one of the rows' corners is not above the
   //   +---a---+         other side, and its force stands for one at the end of the overlap
-  const Found f = find(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})}));
+  const FoundTouches f = find_touches(on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})}));
   const ContactSet rows = closed_rows(f, std::vector<char>(f.contacts.size(), 1));
   const Touch& touch = rows.touches[0];
   ASSERT_EQ(touch.kind, Touch::Kind::flush);
@@ -168,7 +168,7 @@ TEST(Touch, KnowsTheSurfaceOfItsPair) {
   Scene scene = on_floor({cube("a", {0.0, 0.5}), cube("b", {0.4, 1.5})});
   scene.cubes[0].material.friction = 0.4;
   scene.cubes[1].material.friction = 0.9;
-  const Found f = find(scene);
+  const FoundTouches f = find_touches(scene);
   EXPECT_NEAR(f.touches[0].surface.friction, 0.6, 1e-15);
   EXPECT_EQ(f.touches[1].surface.friction, 0.0);
 }

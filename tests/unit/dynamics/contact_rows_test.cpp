@@ -84,8 +84,6 @@ struct Pair {
   }
 };
 
-constexpr int trials = 100;
-
 TEST(ContactRows, OfVelocitiesAreTheRatesOfGapAndSlide) {
   RandomNumbers random(1);
   for (int trial = 0; trial < trials; ++trial) {

@@ -11,8 +11,6 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr int trials = 100;
-
 /// Two cubes that turn, and a rod of some kind between places of them, or from one to a fixed place.
 struct Joined {
   std::array<CubicMotion, 2> place;

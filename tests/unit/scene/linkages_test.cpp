@@ -9,7 +9,7 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr double rounding = 1e-14;
+constexpr double laid = 1e-14;
 
 Scene scene_of(const std::string& text) { return parse_scene(text, "s.toml"); }
 
@@ -20,9 +20,9 @@ TEST(Chain, OfPointsHangsLooseFromItsFirstPlace) {
   ASSERT_EQ(scene.rods.size(), 4U);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(scene.points[i].name, "chain1_" + std::to_string(i + 1));
-    EXPECT_NEAR((scene.points[i].position - Vec2(1.0, 1.5 - 0.5 * i)).norm(), 0.0, rounding);
+    EXPECT_NEAR((scene.points[i].position - Vec2(1.0, 1.5 - 0.5 * i)).norm(), 0.0, laid);
     EXPECT_EQ(scene.points[i].mass, 0.5);
-    EXPECT_NEAR(scene.rods[i].length, 0.5, rounding);
+    EXPECT_NEAR(scene.rods[i].length, 0.5, laid);
   }
   EXPECT_EQ(scene.rods[0].name, "chain1_rod1");
   EXPECT_EQ(scene.rods[0].from.body, "");
@@ -36,8 +36,8 @@ TEST(Chain, LongerThanItsDistanceSagsAlongAnArcWithEqualRods) {
       "[[chain]]\nname = \"up\"\ncount = 1\nfrom = [2, 5]\nto = [0, 5]\nlength = 2.5\n");
   ASSERT_EQ(scene.rods.size(), 10U);
   for (int i = 0; i < 8; ++i)
-    EXPECT_NEAR(scene.rods[i].length, 0.375, rounding);
-  EXPECT_NEAR(scene.points[3].position.x(), 1.0, rounding);
+    EXPECT_NEAR(scene.rods[i].length, 0.375, laid);
+  EXPECT_NEAR(scene.points[3].position.x(), 1.0, laid);
   EXPECT_LT(scene.points[3].position.y(), 0.2);
   // Three points of it and all others lie on one circle.
   const Vec2 low = scene.points[3].position;
@@ -46,7 +46,7 @@ TEST(Chain, LongerThanItsDistanceSagsAlongAnArcWithEqualRods) {
   for (int i = 0; i < 7; ++i)
     EXPECT_NEAR((scene.points[i].position - low - Vec2(0.0, radius)).norm(), radius, 1e-13);
   // Two rods of 1.25 m over 2 m: a triangle, below whichever way it is written.
-  EXPECT_NEAR((scene.points[7].position - Vec2(1.0, 4.25)).norm(), 0.0, rounding);
+  EXPECT_NEAR((scene.points[7].position - Vec2(1.0, 4.25)).norm(), 0.0, laid);
 }
 
 TEST(Chain, OfCubesThatFillItsLengthIsPinned) {
@@ -59,8 +59,8 @@ TEST(Chain, OfCubesThatFillItsLengthIsPinned) {
   EXPECT_EQ(scene.pins[0].from.body, "");
   EXPECT_EQ(scene.pins[1].from.at, Vec2(0.25, 0.0));
   EXPECT_EQ(scene.pins[1].to.at, Vec2(-0.25, 0.0));
-  EXPECT_NEAR((scene.cubes[9].position - Vec2(2.85, 3.8)).norm(), 0.0, rounding);
-  EXPECT_NEAR(scene.cubes[9].angle, std::atan2(4.0, 3.0), rounding);
+  EXPECT_NEAR((scene.cubes[9].position - Vec2(2.85, 3.8)).norm(), 0.0, laid);
+  EXPECT_NEAR(scene.cubes[9].angle, std::atan2(4.0, 3.0), laid);
 }
 
 TEST(Chain, OfCubesThatLeaveRoomHasRodsBetweenTheirEnds) {

@@ -1,4 +1,5 @@
 // What a scene text means: defaults, units, names, the two languages.
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -7,8 +8,6 @@
 
 namespace wuerfel::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(Parse, ACubeAloneTakesAllDefaults) {
   const Scene scene = parse_scene("[[cube]]\nposition = [1, 2]\n", "s.toml");
@@ -92,7 +91,7 @@ TEST(Parse, EveryKeyReachesTheScene) {
   ASSERT_EQ(scene.fixed.size(), 1U);
   EXPECT_EQ(scene.fixed[0].size, Vec2(2.0, 0.2));
   EXPECT_EQ(scene.fixed[0].position, Vec2(3.0, 1.0));
-  EXPECT_EQ(scene.fixed[0].angle, 0.5 * pi);
+  EXPECT_EQ(scene.fixed[0].angle, 0.5 * std::numbers::pi);
   EXPECT_EQ(scene.fixed[0].material, (Material{0.25, 0.5}));
   ASSERT_EQ(scene.cubes.size(), 2U);
   const SceneCube& a = scene.cubes[0];
@@ -159,9 +158,9 @@ TEST(Parse, DegreesOfWholeQuartersGiveTheNearestAngle) {
         .cubes[0]
         .angle;
   };
-  EXPECT_EQ(angle("90"), 0.5 * pi);
-  EXPECT_EQ(angle("-45"), -0.25 * pi);
-  EXPECT_EQ(angle("180"), pi);
+  EXPECT_EQ(angle("90"), 0.5 * std::numbers::pi);
+  EXPECT_EQ(angle("-45"), -0.25 * std::numbers::pi);
+  EXPECT_EQ(angle("180"), std::numbers::pi);
 }
 
 TEST(Parse, EveryColourOfThePaletteIsKnown) {

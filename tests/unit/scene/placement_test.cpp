@@ -1,5 +1,6 @@
 // `on` and `offset`: standing on planes, boxes and each other, touching exactly.
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@
 
 namespace wuerfel::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Rounding of places of a few metres; a factor 2 in a half height would give 1e-1.
 constexpr double rounding = 1e-14;
@@ -40,7 +39,8 @@ TEST_P(PlacementOnTiltedPlanes, TheCubeTakesTheAngleOfTheFaceAndTouchesWithItsLo
   const Scene scene = parse_scene(text, "s.toml");
   const ScenePlane& plane = scene.planes[0];
   const SceneCube a = cube_named(scene, "a");
-  EXPECT_NEAR(std::remainder(a.angle - tilt, 2.0 * pi), 0.0, 1e-6) << "six digits were written";
+  EXPECT_NEAR(std::remainder(a.angle - tilt, 2.0 * std::numbers::pi), 0.0, 1e-6)
+      << "six digits were written";
   const Box box = box_of(a);
   EXPECT_NEAR(plane.normal.dot(box.corner(0) - plane.point), 0.0, rounding);
   EXPECT_NEAR(plane.normal.dot(box.corner(1) - plane.point), 0.0, rounding);
@@ -63,7 +63,7 @@ TEST(Placement, OnACeilingPlaneTheCubeHangsUpsideDown) {
       "\"ceiling\"\n",
       "s.toml");
   EXPECT_NEAR(scene.cubes[0].position.y(), 4.5, rounding);
-  EXPECT_NEAR(std::abs(scene.cubes[0].angle), pi, 1e-15);
+  EXPECT_NEAR(std::abs(scene.cubes[0].angle), std::numbers::pi, 1e-15);
 }
 
 TEST(Placement, OnATurnedBoxTheFaceThatLooksUpMostCarries) {
@@ -77,9 +77,11 @@ TEST(Placement, OnATurnedBoxTheFaceThatLooksUpMostCarries) {
     EXPECT_NEAR(separation(make_box(fixed.position, fixed.angle, fixed.size), box_of(cube)), 0.0,
                 rounding)
         << angle;
-    EXPECT_LE(std::abs(std::remainder(cube.angle, 2.0 * pi)), 0.25 * pi + 1e-12) << angle;
+    EXPECT_LE(std::abs(std::remainder(cube.angle, 2.0 * std::numbers::pi)),
+              0.25 * std::numbers::pi + 1e-12)
+        << angle;
     EXPECT_GT(cube.position.y(), fixed.position.y()) << angle;
-    EXPECT_NEAR(std::abs(std::remainder(cube.angle - angle, 0.5 * pi)), 0.0, 1e-14)
+    EXPECT_NEAR(std::abs(std::remainder(cube.angle - angle, 0.5 * std::numbers::pi)), 0.0, 1e-14)
         << "along a face";
   }
 }

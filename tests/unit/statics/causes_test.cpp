@@ -14,8 +14,6 @@
 namespace wuerfel::test {
 namespace {
 
-StillScene still(const Scene& scene) { return still_scene(scene, {}); }
-
 TEST(Causes, OfAHarmonicStackAreAllInterfacesAtOnce) {
   const double eps = 1e-3;
   const StillScene scene = still(harmonic(5, eps));
@@ -24,7 +22,7 @@ TEST(Causes, OfAHarmonicStackAreAllInterfacesAtOnce) {
   for (std::size_t k = 0; k < found.causes.size(); ++k) {
     const Cause& cause = found.causes[k];
     EXPECT_EQ(cause.part.cubes.size(), k + 1);
-    EXPECT_EQ(cause.failure, Failure::tips);
+    EXPECT_EQ(cause.failure, FailureMode::tips);
     EXPECT_EQ(cause.sense, 1);
     ASSERT_TRUE(cause.outside && cause.corner);
     EXPECT_NEAR(*cause.outside, 0.5 * eps, 1e-12);
@@ -75,11 +73,11 @@ TEST(Causes, OfASceneThatStandsAreNone) {
 TEST(Causes, WhatNothingCarriesDropsAndWhatNothingHoldsSlides) {
   const std::optional<Cause> drops = first_cause(still(on_floor({cube("a", {0.0, 3.0})})));
   ASSERT_TRUE(drops);
-  EXPECT_EQ(drops->failure, Failure::drops);
+  EXPECT_EQ(drops->failure, FailureMode::drops);
   const std::optional<Cause> slides =
       first_cause(still(read_reference_case("incline_square").scene));
   ASSERT_TRUE(slides);
-  EXPECT_EQ(slides->failure, Failure::slides);
+  EXPECT_EQ(slides->failure, FailureMode::slides);
   EXPECT_FALSE(slides->corner);
 }
 
@@ -90,7 +88,7 @@ TEST(Causes, WhatHangsOnARodSwings) {
       "pendulum");
   const std::optional<Cause> swings = first_cause(still(scene));
   ASSERT_TRUE(swings);
-  EXPECT_EQ(swings->failure, Failure::swings);
+  EXPECT_EQ(swings->failure, FailureMode::swings);
   EXPECT_GT(find_causes(still(scene)).certificate.power, 0.0);
   scene = parse_scene(
       "version = 1\n[[cube]]\nname = \"a\"\nposition = [0.0, -2.0]\n"

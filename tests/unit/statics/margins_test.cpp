@@ -17,8 +17,6 @@ namespace {
 constexpr double exact = 1e-9;          // relative
 constexpr double exact_length = 1e-12;  // m
 
-StillScene still(const Scene& scene) { return still_scene(scene, {}); }
-
 Margins margins(const Scene& scene, const MarginRequest& request = {true, true, true, false, {}}) {
   return find_margins(still(scene), {}, request);
 }

@@ -11,7 +11,7 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr double exact = 1e-9;
+constexpr double exact_number = 1e-9;
 
 Scene scene_of(const nlohmann::json& stack) {
   std::vector<SceneCube> cubes;
@@ -35,7 +35,7 @@ void expect_range(const LoadRange& found, const nlohmann::json& expected, double
       return;
     }
     const double want = exactly;
-    EXPECT_NEAR(value, want, exact * std::max(unit, std::abs(want)));
+    EXPECT_NEAR(value, want, exact_number * std::max(unit, std::abs(want)));
   };
   end(found.low, expected[0], -unbounded);
   end(found.high, expected[1], unbounded);

@@ -12,7 +12,7 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr double exact = 1e-9;  // of the weight
+constexpr double exact_share = 1e-9;  // of the weight
 
 class Ranges : public testing::TestWithParam<std::string> {};
 
@@ -26,9 +26,9 @@ TEST_P(Ranges, HaveAWidthWhereAForceIsNotTheOnlyOne) {
     for (std::size_t i = 0; i < of.island.contacts.size(); ++i, ++k) {
       const LoadRange& range = ranges.contacts[k];
       ASSERT_FALSE(is_empty(range)) << k;
-      EXPECT_EQ(range.high - range.low <= exact * weight, of.forces.unique[i] != 0) << k;
-      EXPECT_GE(of.forces.force[i], range.low - exact * weight) << k;
-      EXPECT_LE(of.forces.force[i], range.high + exact * weight) << k;
+      EXPECT_EQ(range.high - range.low <= exact_share * weight, of.forces.unique[i] != 0) << k;
+      EXPECT_GE(of.forces.force[i], range.low - exact_share * weight) << k;
+      EXPECT_LE(of.forces.force[i], range.high + exact_share * weight) << k;
     }
   }
   EXPECT_EQ(k, ranges.contacts.size());
@@ -59,8 +59,8 @@ TEST(ForceRanges, OfABeamOnThreeTips) {
   ASSERT_EQ(ranges.interfaces.size(), 3U);
   for (const Interface& tip : ranges.interfaces) {
     const bool middle = std::abs(tip.middle.x()) < 1e-9;
-    EXPECT_NEAR(tip.force_range.low, 0.0, exact * weight);
-    EXPECT_NEAR(tip.force_range.high, middle ? weight : 0.5 * weight, exact * weight);
+    EXPECT_NEAR(tip.force_range.low, 0.0, exact_share * weight);
+    EXPECT_NEAR(tip.force_range.high, middle ? weight : 0.5 * weight, exact_share * weight);
     EXPECT_FALSE(tip.eccentricity);  // a corner has no length
   }
 }
@@ -73,7 +73,7 @@ TEST(ForceRanges, OfAFaceHaveAResultantAndACenter) {
     ASSERT_TRUE(face.center && face.eccentricity);
     const double height = face.center->y();
     const double above = 3.0 - height;
-    EXPECT_NEAR(face.force, above * g, exact * g);
+    EXPECT_NEAR(face.force, above * g, exact_share * g);
     // The centre of what is above: cubes `height` .. 2 at 0.25 times their number.
     EXPECT_NEAR(face.center->x(), 0.25 * 0.5 * (height + 2.0), 1e-12);
     EXPECT_NEAR(face.eccentricity.value(),
@@ -88,10 +88,10 @@ TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
   ASSERT_EQ(ranges.interfaces.size(), 1U);
   const Interface& face = ranges.interfaces.front();
   // Self-stress along the floor moves nothing along the normal.
-  EXPECT_NEAR(face.force_range.low, g, exact * g);
-  EXPECT_NEAR(face.force_range.high, g, exact * g);
-  EXPECT_NEAR(face.center_range.low, 0.0, exact);
-  EXPECT_NEAR(face.center_range.high, 0.0, exact);
+  EXPECT_NEAR(face.force_range.low, g, exact_share * g);
+  EXPECT_NEAR(face.force_range.high, g, exact_share * g);
+  EXPECT_NEAR(face.center_range.low, 0.0, exact_share);
+  EXPECT_NEAR(face.center_range.high, 0.0, exact_share);
   EXPECT_EQ(ranges.degree, 1);
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/dynamics/solves.h"
-#include "core/time/promises.h"
 
 namespace wuerfel::test {
 namespace {
@@ -45,18 +44,6 @@ TEST(Solves, FrictionThatWasMissedIsNoResidualOfGauss) {
   EXPECT_EQ(solves.friction_residual, 1e-5);
   EXPECT_EQ(solves.residual, 0.0);
   EXPECT_EQ(solves.missed, 0);
-}
-
-TEST(Promises, WhatStepsSettleHasABudgetOfItsOwn) {
-  Audit audit;
-  audit.momentum_linear = audit.momentum_angular = 0.9e-4;
-  audit.momentum_settled = 0.021;
-  EXPECT_TRUE(broken_promises(audit).empty()) << "nothing is promised yet";
-  audit.momentum_budget = promised_momentum_of_steps;
-  audit.settled_budget = promised_settled_of_steps;
-  EXPECT_EQ(broken_promises(audit), std::vector{Promise::momentum});
-  audit.momentum_settled = 0.019;
-  EXPECT_TRUE(broken_promises(audit).empty());
 }
 
 TEST(Bookkeeping, CostAloneLeavesTheAudit) {

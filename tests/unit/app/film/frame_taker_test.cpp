@@ -23,7 +23,7 @@ std::vector<Snapshot> frames(const Scene& scene, const LookBack& back, double en
   const SnapshotRequest request{.joints = true, .unique = true};
   FrameTaker taker(request, request, back);
   const auto instants = with_looks(timetable(end, frame_times(end, {.fps = 50.0}), {}), back);
-  for (const Instant& instant : instants) {
+  for (const TimetableEntry& instant : instants) {
     simulation.advance_to(instant.t);
     if (auto snapshot = taker.take(simulation, simulation.moment(), instant))
       shown.push_back(std::move(*snapshot));
@@ -52,7 +52,7 @@ TEST(MarkScales, TakesAllFramesOfShortFilmsAndFortyOfLongOnes) {
         timetable(1.0, frame_times(1.0, {.fps = static_cast<double>(frames - 1)}), {0.1234});
     mark_scales(instants);
     EXPECT_TRUE(instants.front().scales);
-    return std::ranges::count(instants, true, &Instant::scales);
+    return std::ranges::count(instants, true, &TimetableEntry::scales);
   };
   EXPECT_EQ(marked(31), 31);
   EXPECT_EQ(marked(79), 79);
@@ -77,7 +77,7 @@ TEST(FrameTaker, WhatDoesNotMoveIsLookedAtOnce) {
   FrameTaker taker({.joints = true}, {.joints = true}, {0.02, 0.15});
   const auto instants = with_looks(timetable(1.0, frame_times(1.0, {.fps = 50.0}), {}), {0.02});
   std::vector<SnapshotJoint> first;
-  for (const Instant& instant : instants) {
+  for (const TimetableEntry& instant : instants) {
     simulation.advance_to(instant.t);
     const auto shown = taker.take(simulation, simulation.moment(), instant);
     if (!shown) continue;
@@ -107,9 +107,9 @@ TEST(FrameTaker, LoadsOfOnePictureAreThoseOfTheFilm) {
   const Snapshot of_film = frames(falling_cube(), back, 0.4)[19];
   Simulation simulation(falling_cube(), {});
   FrameTaker taker({.joints = true}, {.joints = true}, back);
-  std::vector<Instant> instants{{.t = of_film.time, .frame = true, .sample = true}};
+  std::vector<TimetableEntry> instants{{.t = of_film.time, .frame = true, .sample = true}};
   std::optional<Snapshot> alone;
-  for (const Instant& instant : with_looks(instants, back)) {
+  for (const TimetableEntry& instant : with_looks(instants, back)) {
     simulation.advance_to(instant.t);
     alone = taker.take(simulation, simulation.moment(), instant);
   }

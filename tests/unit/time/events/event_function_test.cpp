@@ -11,18 +11,6 @@
 namespace wuerfel::test {
 namespace {
 
-/// Numbers between bounds.
-class Draw {
- public:
-  double operator()(double low, double high) {
-    return low + 0.5 * (random_.next() + 1.0) * (high - low);
-  }
-  Vec2 vector(double size) { return size * random_.next_vec2(); }
-
- private:
-  RandomNumbers random_{5};
-};
-
 /// A box with constant acceleration.
 struct Path {
   Vec2 size, position, velocity;

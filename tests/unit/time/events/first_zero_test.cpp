@@ -12,17 +12,6 @@
 namespace wuerfel::test {
 namespace {
 
-/// Numbers between bounds.
-class Draw {
- public:
-  double operator()(double low, double high) {
-    return low + 0.5 * (random_.next() + 1.0) * (high - low);
-  }
-
- private:
-  RandomNumbers random_{5};
-};
-
 /// A function with derivatives and bounds that hold everywhere; counts looks.
 struct Known {
   using Look = Sample;

@@ -8,7 +8,7 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr double h = 0.01;
+constexpr double one_step = 0.01;
 
 Scene pair(double gap) {
   Scene scene;
@@ -19,7 +19,7 @@ Scene pair(double gap) {
 TEST(NearContacts, PairsAreKeptApartByTheSidesThatFaceEachOther) {
   const Mechanism m(pair(0.005));
   NearContacts near(m.system);
-  near.begin(m.state, h, 9.81);
+  near.begin(m.state, one_step, 9.81);
   State end = m.state;
   end[0].position.x() += 0.008;
   std::vector<Contact> contacts;
@@ -36,7 +36,7 @@ TEST(NearContacts, PairsAreKeptApartByTheSidesThatFaceEachOther) {
 TEST(NearContacts, WhoIsFarAwayMeetsNobody) {
   const Mechanism m(pair(0.5));
   NearContacts near(m.system);
-  near.begin(m.state, h, 9.81);
+  near.begin(m.state, one_step, 9.81);
   std::vector<Contact> contacts;
   near.find_towards(m.state, 1e-2, contacts);
   EXPECT_TRUE(contacts.empty());
@@ -46,7 +46,7 @@ TEST(OverlapRemoval, CleansUpByTheLeastThatIsNeeded) {
   const Mechanism m(pair(0.0));
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);
-  removal.begin(m.state, h);
+  removal.begin(m.state, one_step);
   State state = m.state;
   state[0].position.x() += 1e-6;
   Bookkeeping book;
@@ -65,7 +65,7 @@ TEST(OverlapRemoval, WhatDoesNotOverlapIsLeftAlone) {
   const Mechanism m(pair(0.0));
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);
-  removal.begin(m.state, h);
+  removal.begin(m.state, one_step);
   State state = m.state;
   state[0].position.x() += 1e-10;
   Bookkeeping book;
@@ -81,7 +81,7 @@ TEST(OverlapRemoval, RetreatHalvesTheWayOfThoseThatOverlap) {
   const Mechanism m(scene);
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);
-  removal.begin(m.state, h);
+  removal.begin(m.state, one_step);
   State state = m.state;
   state[0].position.x() += 0.3;
   state[0].angle += 0.0;

@@ -1,0 +1,38 @@
+// Numbers with units as pictures show them.
+#include "render/picture/units.h"
+
+#include <gtest/gtest.h>
+
+namespace wuerfel {
+namespace {
+
+TEST(Units, HavePrefixesBothWays) {
+  using internal::energy_label;
+  using internal::with_prefix;
+  using internal::Zeros;
+  EXPECT_EQ(with_prefix(5e12, "N"), "5 TN");
+  EXPECT_EQ(with_prefix(2000.0, "N"), "2 kN");
+  EXPECT_EQ(with_prefix(2e-12, "N"), "2 pN");
+  EXPECT_EQ(with_prefix(24.83, "N", 3), "24.8 N");
+  EXPECT_EQ(with_prefix(243.0, "N", 2), "240 N");
+  EXPECT_EQ(with_prefix(0.3, "N", 2), "300 mN");
+  EXPECT_EQ(with_prefix(15.0, "N", 3, Zeros::kept), "15.0 N");
+  EXPECT_EQ(with_prefix(124.9, "N", 3, Zeros::kept), "125 N");
+  EXPECT_EQ(with_prefix(999.9, "N", 3), "1 kN");
+  EXPECT_EQ(energy_label(4.905e-9, 0.0), "4.90 nJ");
+  EXPECT_EQ(energy_label(7.848e16, 0.0), "78.48 PJ");
+  EXPECT_EQ(energy_label(843.7, 843.7), "843.7 J");
+  EXPECT_EQ(energy_label(12.0, 843.7), "12.0 J") << "digits stand still";
+  EXPECT_EQ(energy_label(0.0, 0.0), "0.00 J");
+}
+
+TEST(Units, TimesHaveTheDigitsThatTellFramesApart) {
+  using internal::time_label;
+  EXPECT_EQ(time_label(1.6, 1.0 / 60.0), "1.600 s");
+  EXPECT_EQ(time_label(0.00012, 1e-5), "0.000120 s");
+  EXPECT_EQ(time_label(0.00012, 0.0), "0.00012 s") << "a still picture";
+  EXPECT_EQ(time_label(2.0, 0.0), "2.000 s");
+}
+
+}  // namespace
+}  // namespace wuerfel
