@@ -54,28 +54,6 @@ TEST(LengthCorrection, WhatIsPushedOutOfAnOverlapEndsClosed) {
   EXPECT_NEAR(contacts[0].gap, 0.0, 1e-11);
 }
 
-TEST(LengthCorrection, ACornerPushedOutAtASeamEndsClosed) {
-  // It turned about its right corner, which is pressed: its left one is in the right deck, and over the left one where it ends.
-  Scene scene;
-  scene.fixed = {post("left", {-1.0, -0.5}, {2.0, 1.0}), post("right", {1.0, -0.5}, {2.0, 1.0})};
-  const double turn = 0.02;
-  const Vec2 corner(0.6 - 5e-5, 0.0);
-  const Vec2 arm(-0.3 * std::cos(turn) - 0.3 * std::sin(turn),
-                 -0.3 * std::sin(turn) + 0.3 * std::cos(turn));
-  scene.cubes = {sized_cube("a", corner + Vec2(-0.3, 0.3), {0.6, 0.6})};
-  Mechanism m(scene);
-  std::vector<Contact> pressed = contacts_of(m, 1e-9);
-  std::erase_if(pressed, [](const Contact& c) { return c.point.x() < 0.5; });
-  ASSERT_EQ(pressed.size(), 1U);
-  m.state[0].position = corner + arm;
-  m.state[0].angle = turn;
-  LengthCorrection correction(m.system, {});
-  Bookkeeping book;
-  correction.correct(m.state, pressed, book);
-  EXPECT_NEAR(m.state[0].angle, 0.0, 1e-10);
-  EXPECT_GE(contacts_of(m, 1e-10).size(), 2U);
-}
-
 TEST(FixedStepMotion, LooksBetweenGridTimesAreStepsAside) {
   const Mechanism m(on_floor({sized_cube("a", {0.0, 1.2}, Vec2::Ones(), 0.2)}));
   MotionSettings settings;
