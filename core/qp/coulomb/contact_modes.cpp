@@ -29,6 +29,36 @@ void ContactPoint::recompute(const ContactForm& form) {
   }
 }
 
+double missed_by(const ContactForm& form,
+                 const std::vector<ContactMode>& modes,
+                 const ContactPoint& point) {
+  double missed = 0.0;
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    if (modes[i] != ContactMode::open)
+      missed = std::max(missed, std::abs(point.rest[i].n) * unit.per_velocity.n);
+    if (modes[i] == ContactMode::stick)
+      missed = std::max(missed, std::abs(point.rest[i].t) * unit.per_velocity.t);
+  }
+  return missed;
+}
+
+void Crossing::meet(double value, double rate, int other, ContactMode mode) {
+  if (rate >= 0.0) return;
+  const double sooner = std::max(value, 0.0) / -rate;
+  if (sooner < step) *this = {sooner, other, mode};
+}
+
+void Crossing::meet_cone(
+    const ContactUnit& contact, ContactMode mode, const Pair& l, const Pair& dl, int other) {
+  if (mode != ContactMode::stick) {
+    meet(l.n, dl.n, other, ContactMode::open);
+    return;
+  }
+  meet(contact.mu * l.n - l.t, contact.mu * dl.n - dl.t, other, ContactMode::slip_back);
+  meet(contact.mu * l.n + l.t, contact.mu * dl.n + dl.t, other, ContactMode::slip_forward);
+}
+
 bool ModeSystem::factorise(ContactForm& form,
                            const std::vector<ContactMode>& modes,
                            double delta,
@@ -94,6 +124,19 @@ void ModeSystem::solve(const ContactForm& form,
         dy_[b].v[c] += u_[b].v[c];
     }
     find_forces(form, r);
+  }
+}
+
+void ModeSystem::move(double step, ContactPoint& point) const {
+  for (std::size_t i = 0; i < dl_.size(); ++i) {
+    point.l[i].n += step * dl_[i].n;
+    point.l[i].t += step * dl_[i].t;
+    point.rest[i].n -= step * Gdy_[i].n;
+    point.rest[i].t -= step * Gdy_[i].t;
+  }
+  for (std::size_t b = 0; b < dy_.size(); ++b) {
+    for (int c = 0; c < 3; ++c)
+      point.y[b].v[c] += step * dy_[b].v[c];
   }
 }
 

@@ -39,6 +39,23 @@ struct ContactPoint {
   void recompute(const ContactForm& form);
 };
 
+/// What rows in force miss, relative to the largest velocity.
+double missed_by(const ContactForm& form,
+                 const std::vector<ContactMode>& modes,
+                 const ContactPoint& point);
+
+/// The first contact to change its mode on a way.
+struct Crossing {
+  double step = unbounded;
+  int unit = -1;
+  ContactMode to = ContactMode::open;
+  /// A unit that comes into another mode where `value`, which grows at `rate`, comes to zero.
+  void meet(double value, double rate, int other, ContactMode mode);
+  /// A unit in force whose forces, which grow at the rate `dl`, come to the edge of their cone.
+  void meet_cone(
+      const ContactUnit& contact, ContactMode mode, const Pair& l, const Pair& dl, int other);
+};
+
 enum class Pivoting { none, full };
 
 class ModeSystem {
@@ -51,8 +68,9 @@ class ModeSystem {
   /// Solves  g dy + d dl = r  for the rows in force and  dy - G' dl = u,  refined. `r` of rows not
   /// in force is not looked at.
   void solve(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
+  /// point += step (dy, dl)
+  void move(double step, ContactPoint& point) const;
   [[nodiscard]] const std::vector<Pair>& dl() const { return dl_; }
-  [[nodiscard]] const std::vector<Quad>& dy() const { return dy_; }
   [[nodiscard]] const std::vector<Pair>& Gdy() const { return Gdy_; }
 
  private:

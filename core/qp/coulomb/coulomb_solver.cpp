@@ -11,7 +11,8 @@ namespace {
 constexpr int known_factorisations = 12;   ///< of newton from remembered modes
 constexpr int guessed_factorisations = 4;  ///< from none
 constexpr double apart_share = 1e-6;       ///< of the largest velocity
-constexpr int interior_seeds = 4;
+constexpr int interior_seeds = 8;
+constexpr int unsure_seeds = 4;  ///< where no solution need exist
 constexpr int lemke_seeds = 3;
 constexpr int most_from_open = 600;  ///< contacts of programs for which lemke is tried
 constexpr int most_pivoted = 120;    ///< contacts of programs that are followed with pivoting
@@ -152,7 +153,7 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
   const bool exists = may_stand(friction);
-  for (int k = 0; k < (exists ? interior_seeds : 1); ++k) {
+  for (int k = 0; k < (exists ? interior_seeds : unsure_seeds); ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
     if (stages.interior(friction, spread, seed + k, result)) return true;
   }

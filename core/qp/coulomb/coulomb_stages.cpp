@@ -16,8 +16,15 @@ constexpr double large_delta = 1e-4;     ///< of settling at first
 constexpr double soft_delta = 1e-2;
 constexpr int settling_factorisations = 40;
 constexpr double near_margin = 1e-9;
+constexpr double near_velocity_margin = 1e-4;  ///< times the compliance
 constexpr double near_delta_fall = 0.1;
+constexpr double least_near_delta = 3e-9;
+constexpr int most_near_steps = 30;
 constexpr int most_near_crossings = 100;
+constexpr int steps_per_leap = 3;
+constexpr double leap_growth = 10.0;
+constexpr double first_leap = 1000.0;     ///< steps at once
+constexpr double most_leap_misses = 100;  ///< times what was missed before
 constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
 constexpr int most_crossed_units =
@@ -67,7 +74,7 @@ bool CoulombStages::newton(const FrictionProgram& friction,
                            int most_factorisations,
                            CoulombResult& result) {
   const ModeNewtonOutcome outcome = mode_newton_.run(
-      form_, modes, point, {.delta = path_delta, .most_factorisations = most_factorisations});
+      form_, modes, point, {.delta = usual_delta, .most_factorisations = most_factorisations});
   result.factorisations += outcome.factorisations;
   return outcome.settled && judge_point(friction, CoulombStage::newton, result);
 }
@@ -204,21 +211,36 @@ bool CoulombStages::settle(const FrictionProgram& friction,
   return false;
 }
 
-/// Proximal steps, each by a path that is short: the point is moved by no more than it misses.
+/// Proximal steps, each by a path that is short: the point is moved by no more than it misses. Where rows contradict one
+/// another by that little each moves forces along a state of self-stress by as much, and more compliance is not to be taken
+/// away: every third one leaps along the last one, farther and farther, until rows miss much more than before.
 bool CoulombStages::follow_near(const FrictionProgram& friction,
                                 CoulombStage stage,
                                 CoulombResult& result) {
   std::vector<Pair> centre = point.l;
+  double leap = first_leap;
   ModePathEffort effort{
       .delta = path_delta, .most_crossings = most_near_crossings, .margin = near_margin};
-  for (int k = 0; k < most_proximal_steps; ++k) {
+  for (int k = 0; k < most_near_steps; ++k) {
+    effort.velocity_margin = near_velocity_margin * effort.delta;
+    const std::vector<Pair> start = point.l;
     const auto seed = static_cast<std::uint64_t>(k);
     const ModePathOutcome outcome = mode_path_.run(form_, modes, point, centre, seed, effort);
-    effort.delta = std::max(near_delta_fall * effort.delta, least_path_delta);
     result.crossings += outcome.crossings;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
     centre = point.l;
+    effort.most_missed = unbounded;
+    if (effort.delta == least_near_delta && k % steps_per_leap == steps_per_leap - 1) {
+      const double missed = missed_by(form_, modes, point);
+      effort.most_missed = std::max(most_leap_misses * missed, settings_.tolerance);
+      for (std::size_t i = 0; i < centre.size(); ++i) {
+        centre[i].n += leap * (point.l[i].n - start[i].n);
+        centre[i].t += leap * (point.l[i].t - start[i].t);
+      }
+      leap *= leap_growth;
+    }
+    effort.delta = std::max(near_delta_fall * effort.delta, least_near_delta);
   }
   return false;
 }

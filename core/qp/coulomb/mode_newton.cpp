@@ -7,9 +7,10 @@ namespace wuerfel {
 namespace {
 
 constexpr double noise_share = 1e-13;
-constexpr int most_passes = 100;    ///< back-solves per factorisation
-constexpr double slow_share = 0.5;  ///< of what rows miss that a proximal step leaves
-constexpr double delta_fall = 0.1;  ///< by which compliance shrinks then
+constexpr int most_passes = 100;     ///< back-solves per factorisation
+constexpr double slow_share = 0.5;   ///< of what rows miss that a proximal step leaves
+constexpr double delta_fall = 0.1;   ///< by which compliance shrinks then
+constexpr double least_rate = 1e-9;  ///< of forces, of the largest one: smaller ones are rounding
 /// Proximal steps that get no nearer end here: what is left may be rounding.
 constexpr double near_goal = 2e-11;
 constexpr double stalled_share = 0.9;
@@ -48,21 +49,6 @@ void follow_modes(const ContactForm& form,
                   ContactPoint& point) {
   for (int i = 0; i < form.count(); ++i)
     follow_mode(form.units()[i], modes[i], point.l[i]);
-}
-
-/// What rows in force miss, relative to the largest velocity.
-double missed_by(const ContactForm& form,
-                 const std::vector<ContactMode>& modes,
-                 const ContactPoint& point) {
-  double missed = 0.0;
-  for (int i = 0; i < form.count(); ++i) {
-    const ContactUnit& unit = form.units()[i];
-    if (modes[i] != ContactMode::open)
-      missed = std::max(missed, std::abs(point.rest[i].n) * unit.per_velocity.n);
-    if (modes[i] == ContactMode::stick)
-      missed = std::max(missed, std::abs(point.rest[i].t) * unit.per_velocity.t);
-  }
-  return missed;
 }
 
 }  // namespace
@@ -108,16 +94,38 @@ void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
   }
   find_missing(form, point);
   system_.solve(form, missing_, unbalance_);
+  system_.move(1.0, point);
+}
+
+/// Goes on along the last step, which those to come would repeat, `most` times at most: to the first contact whose force
+/// comes to the edge of its cone. Rows that contradict one another (contacts in a loop whose gaps differ by 1e-11) drive forces
+/// along a state of self-stress for ever, until a contact gives way.
+ModeNewton::End ModeNewton::extrapolate(const ContactForm& form,
+                                        std::vector<ContactMode>& modes,
+                                        ContactPoint& point,
+                                        double most) {
+  const std::vector<Pair>& dl = system_.dl();
+  double largest = 0.0;
   for (int i = 0; i < form.count(); ++i) {
-    point.l[i].n += system_.dl()[i].n;
-    point.l[i].t += system_.dl()[i].t;
-    point.rest[i].n -= system_.Gdy()[i].n;
-    point.rest[i].t -= system_.Gdy()[i].t;
+    const Pair& norm = form.units()[i].norm;
+    largest = std::max({largest, std::abs(dl[i].n) * norm.n, std::abs(dl[i].t) * norm.t});
   }
-  for (std::size_t b = 0; b < point.y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      point.y[b].v[c] += system_.dy()[b].v[c];
+  const auto rate_of = [&](double rate, double norm) {
+    return std::abs(rate) * norm > least_rate * largest ? rate : 0.0;
+  };
+  Crossing first{.step = most};
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    if (unit.equality || modes[i] == ContactMode::open) continue;
+    const Pair rate = {rate_of(dl[i].n, unit.norm.n), rate_of(dl[i].t, unit.norm.t)};
+    first.meet_cone(unit, modes[i], point.l[i], rate, i);
   }
+  if (!(first.step < unbounded)) return End::stuck;
+  system_.move(first.step, point);
+  centre_ = point.l;
+  if (first.unit < 0) return End::slow;
+  modes[first.unit] = first.to;
+  return End::moved;
 }
 
 /// Until modes ask to be changed, rows in force are within the goal, or it gets on too slowly.
@@ -140,8 +148,15 @@ ModeNewton::ProximalSteps ModeNewton::take_proximal_steps(const ContactForm& for
       step(form, point);  // what compliance has left is rounding then
       return {End::settled};
     }
-    if (delta_ > effort.least_delta && !(missed < slow_share * former)) return {End::slow};
-    former = missed;
+    if (missed < slow_share * former || former == unbounded) {
+      former = missed;
+      continue;
+    }
+    if (delta_ > effort.least_delta) return {End::slow};
+    const double left = missed / former;
+    const End end = extrapolate(form, modes, point, left < 1.0 ? left / (1.0 - left) : unbounded);
+    if (end != End::slow) return {end, 1};
+    former = unbounded;
   }
   return {End::stuck};
 }

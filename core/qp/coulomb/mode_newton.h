@@ -5,7 +5,8 @@
 /// Compliance counts from the same forces until modes are confirmed, and then from those found there:
 /// proximal steps [Rockafellar 1976a]. Wrong modes of redundant contacts press with what their rows
 /// miss over the compliance, so that a large one holds better and a small one ends sooner: it begins
-/// with the first and shrinks where proximal steps are slow.
+/// with the first and shrinks where proximal steps are slow, and goes on along the last one where the
+/// smallest is slow, too.
 #pragma once
 
 #include <limits>
@@ -51,6 +52,10 @@ class ModeNewton {
                                     std::vector<ContactMode>& modes,
                                     ContactPoint& point,
                                     const ModeNewtonEffort& effort);
+  End extrapolate(const ContactForm& form,
+                  std::vector<ContactMode>& modes,
+                  ContactPoint& point,
+                  double most);
   bool gets_on(const std::vector<ContactMode>& modes, int revised);
   void step(const ContactForm& form, ContactPoint& point);
   void find_missing(const ContactForm& form, const ContactPoint& point);

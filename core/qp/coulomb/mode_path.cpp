@@ -6,6 +6,7 @@
 #include "core/qp/coulomb/dice.h"
 
 namespace wuerfel {
+
 ModePathOutcome ModePath::run(ContactForm& form,
                               std::vector<ContactMode>& modes,
                               ContactPoint& point,
@@ -13,6 +14,7 @@ ModePathOutcome ModePath::run(ContactForm& form,
                               std::uint64_t seed,
                               const ModePathEffort& effort) {
   const double margin = effort.margin;
+  const double velocity_margin = effort.velocity_margin;
   Dice dice(seed);
   delta_ = effort.delta;
   centre_ = centre;
@@ -36,10 +38,10 @@ ModePathOutcome ModePath::run(ContactForm& form,
     const double s = slip_sign(modes[i]);
     r_[i] = e;
     if (modes[i] == ContactMode::open) {
-      r_[i].n = e.n - std::max(e.n, margin * dice.next() / unit.per_velocity.n);
+      r_[i].n = e.n - std::max(e.n, velocity_margin * dice.next() / unit.per_velocity.n);
       r_[i].t = 0.0;
     } else if (s != 0.0 && unit.slides == 0) {
-      r_[i].t = e.t - s * std::max(s * e.t, margin * dice.next() / unit.per_velocity.t);
+      r_[i].t = e.t - s * std::max(s * e.t, velocity_margin * dice.next() / unit.per_velocity.t);
     }
   }
   return follow(form, modes, point, effort);
@@ -107,7 +109,7 @@ void ModePath::correct(const ContactForm& form,
       unbalance_[b].v[c] -= point.y[b].v[c];
   }
   system_.solve(form, rhs_, unbalance_);
-  move(form, 1.0, point);
+  system_.move(1.0, point);
 }
 
 /// Rates of everything while t falls by one.
@@ -116,19 +118,6 @@ void ModePath::find_tangent(const ContactForm& form, ContactPoint& point) {
     rhs_[i] = {-r_[i].n, -r_[i].t};
   unbalance_.assign(point.y.size(), Quad{});
   system_.solve(form, rhs_, unbalance_);
-}
-
-void ModePath::move(const ContactForm& form, double step, ContactPoint& point) {
-  for (int i = 0; i < form.count(); ++i) {
-    point.l[i].n += step * system_.dl()[i].n;
-    point.l[i].t += step * system_.dl()[i].t;
-    point.rest[i].n -= step * system_.Gdy()[i].n;
-    point.rest[i].t -= step * system_.Gdy()[i].t;
-  }
-  for (std::size_t b = 0; b < point.y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      point.y[b].v[c] += step * system_.dy()[b].v[c];
-  }
 }
 
 /// How fast what became free at the last crossing grows while t falls.
@@ -143,16 +132,10 @@ double ModePath::entering_rate(const ContactForm& form,
   return slip_sign(to) * slack_rate(form, i).t;
 }
 
-void ModePath::Crossing::meet(double value, double rate, int other, ContactMode mode) {
-  if (rate >= 0.0) return;
-  const double sooner = std::max(value, 0.0) / -rate;
-  if (sooner < step) *this = {sooner, other, mode};
-}
-
-ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
-                                           const std::vector<ContactMode>& modes,
-                                           const ContactPoint& point,
-                                           double direction) const {
+Crossing ModePath::next_crossing(const ContactForm& form,
+                                 const std::vector<ContactMode>& modes,
+                                 const ContactPoint& point,
+                                 double direction) const {
   Crossing first;
   const auto meet = [&](double value, double rate, int unit, ContactMode to) {
     first.meet(value, rate * direction, unit, to);
@@ -161,7 +144,6 @@ ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
     const ContactUnit& unit = form.units()[i];
     if (unit.equality) continue;
     const ContactMode mode = modes[i];
-    const Pair& l = point.l[i];
     const Pair& dl = system_.dl()[i];
     if (mode == ContactMode::open) {
       const Pair rate = slack_rate(form, i);
@@ -173,12 +155,7 @@ ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
       first.to = slip_mode(unit.slides != 0 ? unit.slides : ut);
       continue;
     }
-    if (mode == ContactMode::stick) {
-      meet(unit.mu * l.n - l.t, unit.mu * dl.n - dl.t, i, ContactMode::slip_back);
-      meet(unit.mu * l.n + l.t, unit.mu * dl.n + dl.t, i, ContactMode::slip_forward);
-      continue;
-    }
-    meet(l.n, dl.n, i, ContactMode::open);
+    first.meet_cone(unit, mode, point.l[i], {direction * dl.n, direction * dl.t}, i);
     const double s = slip_sign(mode);
     if (s != 0.0 && unit.slides == 0) {
       const double ut = slack(form, point, i).t - t_ * r_[i].t;
@@ -186,6 +163,28 @@ ModePath::Crossing ModePath::next_crossing(const ContactForm& form,
     }
   }
   return first;
+}
+
+/// How far the path goes until rows in force miss `most`.
+double ModePath::longest_step(const ContactForm& form,
+                              const std::vector<ContactMode>& modes,
+                              const ContactPoint& point,
+                              double direction,
+                              double most) const {
+  Crossing first;
+  const auto miss = [&](double rest, double rate, double scale, int i) {
+    const double sign = rate > 0.0 ? 1.0 : -1.0;
+    first.meet(most - sign * rest * scale, -sign * rate * scale, i, modes[i]);
+  };
+  for (int i = 0; i < form.count() && most < unbounded; ++i) {
+    const ContactUnit& unit = form.units()[i];
+    const Pair& Gdy = system_.Gdy()[i];
+    if (modes[i] != ContactMode::open)
+      miss(point.rest[i].n, -direction * Gdy.n, unit.per_velocity.n, i);
+    if (modes[i] == ContactMode::stick)
+      miss(point.rest[i].t, -direction * Gdy.t, unit.per_velocity.t, i);
+  }
+  return first.step;
 }
 
 ModePathOutcome ModePath::follow(ContactForm& form,
@@ -203,16 +202,18 @@ ModePathOutcome ModePath::follow(ContactForm& form,
     if (crossing.unit >= 0)
       direction = entering_rate(form, from, crossing.to, crossing.unit) >= 0.0 ? 1.0 : -1.0;
     crossing = next_crossing(form, modes, point, direction);
-    if (direction > 0.0 && crossing.step >= t_) {
-      move(form, t_, point);
-      t_ = 0.0;
-      outcome.arrived = true;
+    outcome.arrived = direction > 0.0 && crossing.step >= t_;
+    const double step = outcome.arrived ? t_ : crossing.step;
+    const double most = longest_step(form, modes, point, direction, effort.most_missed);
+    outcome.arrived = outcome.arrived || most < step;
+    if (outcome.arrived) {
+      system_.move(direction * std::min(step, most), point);
       return outcome;
     }
     outcome.ray = crossing.unit < 0;
     if (outcome.ray || outcome.crossings == effort.most_crossings) return outcome;
     ++outcome.crossings;
-    move(form, direction * crossing.step, point);
+    system_.move(direction * crossing.step, point);
     t_ -= direction * crossing.step;
     from = modes[crossing.unit];
     modes[crossing.unit] = crossing.to;

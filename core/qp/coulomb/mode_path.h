@@ -20,13 +20,16 @@ struct ModePathEffort {
   double delta = 1e-8;
   Pivoting pivoting = Pivoting::none;
   int most_crossings = 1000;
-  double margin =
-      1e-3;  ///< by which the point is moved into its cones, a share of the largest force
+  /// By which the point is moved into its cones, a share of the largest force and of the largest
+  /// velocity. What is moved in velocities costs forces of the share over delta.
+  double margin = 1e-3;
+  double velocity_margin = 1e-3;
+  double most_missed = unbounded;  ///< by rows in force, relative to the largest velocity
 };
 
 struct ModePathOutcome {
-  bool arrived = false;
-  bool ray = false;  ///< the path goes on for ever
+  bool arrived = false;  ///< at t = 0, or where rows miss as much as they may
+  bool ray = false;      ///< the path goes on for ever
   int crossings = 0;
 };
 
@@ -49,13 +52,6 @@ class ModePath {
                                 const ModePathEffort& effort);
 
  private:
-  struct Crossing {
-    double step = unbounded;
-    int unit = -1;
-    ContactMode to = ContactMode::open;
-    /// A unit that comes into another mode where `value`, which grows at `rate`, comes to zero.
-    void meet(double value, double rate, int other, ContactMode mode);
-  };
   ModePathOutcome follow(ContactForm& form,
                          std::vector<ContactMode>& modes,
                          ContactPoint& point,
@@ -72,7 +68,11 @@ class ModePath {
                                        const std::vector<ContactMode>& modes,
                                        const ContactPoint& point,
                                        double direction) const;
-  void move(const ContactForm& form, double step, ContactPoint& point);
+  [[nodiscard]] double longest_step(const ContactForm& form,
+                                    const std::vector<ContactMode>& modes,
+                                    const ContactPoint& point,
+                                    double direction,
+                                    double most) const;
 
   ModeSystem system_;
   double delta_ = 0.0;
