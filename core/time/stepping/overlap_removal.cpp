@@ -44,23 +44,29 @@ double OverlapRemoval::margin(const Contact& c, double move) const {
 }
 
 /// Margins, per contact: the largest push that the overlaps of an island ask for goes through all of it. What it meets
-/// moves, the lighter the farther, but by no more than there is overlap, and turns by as much.
+/// moves, the lighter the farther, but by no more than there is overlap, and turns by as much. Against friction only gaps
+/// of what overlaps itself are opened.
 Restricted OverlapRemoval::apart(Island island) const {
   const auto ease_of = [&](int body) {
     return system_->is_cube(body) ? 1.0 / system_->body(body).mass : 0.0;
   };
   const auto ease = [&](const Contact& c) { return ease_of(c.on) + ease_of(c.from); };
+  const auto overlap = [&](const Contact& c) {
+    return std::max(0.0, -c.gap / contact_scale(*system_, c));
+  };
   double deepest = 0.0;
   double push = 0.0;
   for (const Contact& c : island.contacts) {
-    const double overlap = -c.gap / contact_scale(*system_, c);
-    deepest = std::max(deepest, overlap);
-    push = std::max(push, overlap / ease(c));
+    deepest = std::max(deepest, overlap(c));
+    push = std::max(push, overlap(c) / ease(c));
   }
+  const bool rubbing = rubs(*system_, island);
   Restricted part{std::move(island), {}};
   part.use.assign(part.island.contacts.size(), SideUse::inequality);
-  for (const Contact& c : part.island.contacts)
-    part.margins.push_back(margin(c, std::min(deepest, 0.5 * push * ease(c))));
+  for (const Contact& c : part.island.contacts) {
+    const double move = rubbing ? overlap(c) : std::min(deepest, 0.5 * push * ease(c));
+    part.margins.push_back(margin(c, move));
+  }
   return part;
 }
 
