@@ -62,16 +62,22 @@ void Track::start(const State& state,
     }
     return;
   }
+  if (stepping.until > t && !policy_.only_steps) {
+    // What is stepped anyway meets its impacts in steps.
+    begin_steps(state, t);
+    until_ = std::max(stepping.until, t + crowding_.frame());
+    return;
+  }
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
   ContactLimits limits;
   limits.touching = std::max(touching, limits.touching);
   events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
   if (events_.at_rest()) return;
-  if (!(policy_.only_steps || events_.wedged() || stepping.until > t)) return;
+  if (!(policy_.only_steps || events_.wedged())) return;
   begin_steps(events_.state(), t);
   const bool settles = system_->rubs || system_->bounces;
-  until_ = !policy_.only_steps ? std::max(stepping.until, t + crowding_.frame())
+  until_ = !policy_.only_steps ? t + crowding_.frame()
            : settles           ? t + longest_step * crowding_.frame()
                                : std::numeric_limits<double>::infinity();
 }

@@ -44,15 +44,19 @@ void ControlledStepping::begin(const State& state, double first, double longest)
 
 double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   if (end - t < same_time * scales_.time) return end;
-  const double whole = std::min({step_, stepper_.longest_step(state_), end - t});
+  const double room = std::min(stepper_.longest_step(state_), end - t);
+  const double whole = std::min(step_, room);
   const double wanted = end - t - whole < same_time * scales_.time ? end - t : whole;
+  const double shortest =
+      shortest_share * std::min(room, std::max(step_, shortest_share * longest_));
   double h = wanted;
-  Step step = take_step(t, h);
-  if (whole == step_) {
+  Step step = take_step(t, shortest, h);
+  // What had to be halved is tried with its half at first the next time, whatever had bounded it.
+  if (h < wanted || whole == step_) {
     const bool easy = h == wanted && step.error <= doubled_error * allowed_error_
                       && step.rise.whole <= doubled_rise * bearable_rise()
                       && step.rise.sway <= doubled_error * bearable_sway();
-    step_ = std::clamp(easy ? 2.0 * h : h, shortest_share * longest_, longest_);
+    step_ = std::clamp(easy ? 2.0 * h : h, shortest_share * shortest_share * longest_, longest_);
   }
   add(step.book, book);
   stepper_.accept(step);
@@ -82,9 +86,8 @@ bool ControlledStepping::is_exact(const Step& step) const {
          && step.rise.unpaid <= unpaid_share * bearable_rise();
 }
 
-/// The longest step of h, h / 2, h / 4 .. that is good enough; `h` becomes its length.
-Step ControlledStepping::take_step(double t, double& h) {
-  const double shortest = h * shortest_share;
+/// The longest step of h, h / 2, h / 4 .. that is good enough, or the shortest; `h` becomes its length.
+Step ControlledStepping::take_step(double t, double shortest, double& h) {
   Cost tried;
   while (true) {
     Step step = stepper_.step(state_, t, h);

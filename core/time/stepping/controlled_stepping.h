@@ -28,7 +28,7 @@ class ControlledStepping {
   [[nodiscard]] double bearable_rise() const;
   [[nodiscard]] double bearable_sway() const;
   [[nodiscard]] bool is_exact(const Step& step) const;
-  Step take_step(double t, double& h);
+  Step take_step(double t, double shortest, double& h);
 
   const System* system_;
   RattleStepper stepper_;

@@ -8,12 +8,11 @@
 namespace wuerfel {
 namespace {
 
-/// Gaps are kept open by so much, so that nothing like rounding is ever pushed out, or, in units of
-/// its square, by what a step of Newton's method is expected to leave of an overlap. Both are
-/// bounded by a share of the fall within a step: they must not be felt as a velocity.
+/// Gaps are kept open by so much, so that nothing like rounding is ever pushed out, or by the square of what bodies move,
+/// which is what a step of Newton's method leaves of an overlap. Both are bounded by a share of the fall within a step:
+/// they must not be felt as a velocity.
 constexpr double margin_share = 5e-11;
 constexpr double margin_of_fall = 1e-6;
-constexpr double margin_of_square = 4.0;
 constexpr double square_of_fall = 1e-2;
 
 constexpr int most_rounds = 8;
@@ -37,28 +36,37 @@ void OverlapRemoval::begin(const State& start, double h) {
   near_.begin(start, h, scales_.gravity);
 }
 
-double OverlapRemoval::margin(const Contact& c, double overlap) const {
+double OverlapRemoval::margin(const Contact& c, double move) const {
   const double fall = scales_.gravity * h_ * h_;
   const double scale = contact_scale(*system_, c);
   return std::max(std::min(margin_share * scale, margin_of_fall * fall),
-                  std::min(margin_of_square * overlap * overlap * scale, square_of_fall * fall));
+                  std::min(move * move * scale, square_of_fall * fall));
 }
 
-/// Margins, per contact: what moves is what overlaps, the lighter the farther, and turns by as much.
+/// Margins, per contact: the largest push that the overlaps of an island ask for goes through all of it. What it meets
+/// moves, the lighter the farther, but by no more than there is overlap, and turns by as much. Against friction only gaps
+/// of what overlaps itself are opened.
 Restricted OverlapRemoval::apart(Island island) const {
-  std::vector<double> moves(system_->count(), 0.0);
-  const auto ease = [&](int body) {
+  const auto ease_of = [&](int body) {
     return system_->is_cube(body) ? 1.0 / system_->body(body).mass : 0.0;
   };
+  const auto ease = [&](const Contact& c) { return ease_of(c.on) + ease_of(c.from); };
+  const auto overlap = [&](const Contact& c) {
+    return std::max(0.0, -c.gap / contact_scale(*system_, c));
+  };
+  double deepest = 0.0;
+  double push = 0.0;
   for (const Contact& c : island.contacts) {
-    const double overlap = -c.gap / contact_scale(*system_, c);
-    for (const int body : {c.on, c.from})
-      moves[body] = std::max(moves[body], overlap * ease(body) / (ease(c.on) + ease(c.from)));
+    deepest = std::max(deepest, overlap(c));
+    push = std::max(push, overlap(c) / ease(c));
   }
+  const bool rubbing = rubs(*system_, island);
   Restricted part{std::move(island), {}};
   part.use.assign(part.island.contacts.size(), SideUse::inequality);
-  for (const Contact& c : part.island.contacts)
-    part.margins.push_back(margin(c, moves[c.on] + moves[c.from]));
+  for (const Contact& c : part.island.contacts) {
+    const double move = rubbing ? overlap(c) : std::min(deepest, 0.5 * push * ease(c));
+    part.margins.push_back(margin(c, move));
+  }
   return part;
 }
 

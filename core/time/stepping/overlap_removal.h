@@ -49,7 +49,7 @@ class OverlapRemoval {
 
  private:
   double measure(const State& state);
-  [[nodiscard]] double margin(const Contact& c, double overlap) const;
+  [[nodiscard]] double margin(const Contact& c, double move) const;
   [[nodiscard]] std::vector<Restricted> pushed_apart(const State& state);
   [[nodiscard]] bool keeps_lengths(const State& state, std::span<const int> rods) const;
   [[nodiscard]] bool keeps_lengths(const State& state) const;

@@ -52,7 +52,7 @@ class Restart : public testing::TestWithParam<Case> {
     settings.integrator = GetParam().integrator;
     settings.step = 0.0005;
     // Short steps make enough work for a restart in a short run.
-    if (settings.integrator == Integrator::automatic) settings.tolerance = 1e-12;
+    if (settings.integrator == Integrator::automatic) settings.tolerance = 1e-13;
     return settings;
   }
 };
