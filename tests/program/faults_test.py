@@ -141,11 +141,6 @@ class Names(ProgramTest):
             self.expect(0, "run", self.scene(FLYING), "--until", "0.1", "--states", "s.csv", "-o", "f/", "--size", "64x64")
         self.assertEqual([name for name in dead + others if os.path.exists(self.path(name))], list(others))
 
-    def test_a_comma_locale_changes_nothing(self):
-        for locale in ("de_DE.UTF-8", "C", "C.UTF-8"):
-            done = self.expect(0, "run", self.scene(FLYING), "--states", "-", "--fps", "4", "--quiet", env={**os.environ, "LC_ALL": locale})
-            self.assertIn("0.25,a,0.25,", done.stdout)
-
     def test_a_written_file_replaces_one_that_is_read_only(self):
         with open(self.path("s.csv"), "w") as file:
             file.write("old")
