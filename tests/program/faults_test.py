@@ -26,6 +26,18 @@ class Endless(ProgramTest):
                 done = self.expect(2, command[0], self.scene(FLYING), *command[1:], "--integrator", integrator, "--step", "1e-300")
                 self.assertIn("--step: ", done.stderr)
 
+    def test_what_turns_fast_takes_time_and_no_memory(self):
+        for others in ((), ({"name": "b", "position": [100, 5]},)):
+            scene = {"version": 1, "cube": [{**SPINNING["cube"][0], "spin": 3e6}, *others]}
+            self.expect(0, "run", self.scene(scene), "--until", "1", "--max-memory", "40M")
+
+    def test_devices_without_end_are_no_files(self):
+        os.symlink("/dev/zero", self.path("zero.svg"))
+        for arguments in (("reproduce", "/dev/zero"), ("reproduce", "zero.svg"), ("replay", "/dev/zero"), ("run", "demo", "--resume", "/dev/zero"),
+                          ("check", "/dev/zero"), ("compare", "/dev/zero", "/dev/zero")):
+            with self.subTest(arguments):
+                self.expect(2, *arguments, timeout=60)
+
     def test_a_long_wait_is_told(self):
         process = subprocess.Popen([PROGRAM, "run", self.scene(SPINNING), "--until", "1e12"], stderr=subprocess.PIPE, text=True)
         line = process.stderr.readline()
@@ -33,7 +45,6 @@ class Endless(ProgramTest):
         process.communicate()
         self.assertEqual(process.returncode, 128 + signal.SIGTERM)
         self.assertRegex(line, r"simulating +0 % .* left")
-
 
     def test_long_work_says_how_much_it_will_write(self):
         done = self.expect(0, "run", self.scene(STANDING), "--until", "200", "--states", "s.csv", timeout=60)
