@@ -233,6 +233,18 @@ class Replay(ProgramTest):
             self.assertIn("p.jsonl:2: no program: ", self.expect(2, "replay", "p.jsonl").stderr)
         self.expect(2, "replay", "nosuch.jsonl")
 
+    def test_what_a_run_missed_is_kept_told_and_solved_again(self):
+        # A mass of 1e12 on one of 1: more than Newton's method alone can do.
+        heavy = {"version": 1, "plane": [FLOOR], "cube": [{"name": "l", "position": [0, 0.5]}, {"name": "h", "position": [0.4, 1.5], "mass": 1e12}]}
+        done = self.expect(3, "run", self.scene(heavy), "--until", "0.02", "--solver", "newton", "--failed-programs", "p.jsonl", "--json", "--quiet")
+        self.assertEqual(json.loads(done.stdout)["audit"]["first_violation"], {"what": "programs", "t": 0, "bodies": ["l", "h"]})
+        self.assertIn("first at 0 s among l, h", done.stderr)
+        replayed = [json.loads(line) for line in self.expect(3, "replay", "p.jsonl", "--json").stdout.splitlines()]
+        for program in replayed:
+            status = {answer["solver"]: answer["status"] for answer in program["answers"]}
+            self.assertEqual(status["newton"], "inaccurate")
+            self.assertEqual(status["ipopt"], "optimal")
+
     def test_a_run_that_solves_everything_keeps_none(self):
         self.expect(0, "run", self.scene(STANDING), "--failed-programs", "p.jsonl")
         self.assertEqual(self.content("p.jsonl"), "")
