@@ -1,6 +1,7 @@
 """What goes wrong around the program: disks, streams, ffmpeg, other people's files, work without end."""
 import fcntl
 import json
+import math
 import os
 import signal
 import stat
@@ -261,6 +262,14 @@ class Limits(ProgramTest):
             self.assertEqual(self.verdict({"version": 1, "plane": [FLOOR], "tower": [{"count": count, "base": [0, 0]}]}), "stands", count)
         self.assertEqual(self.verdict({"version": 1, "plane": [FLOOR], "tower": [{"count": 25000, "base": [0, 0]}]}), "undecided")
 
+    def test_what_falls_never_stands(self):
+        leaning = {"version": 1, "plane": [FLOOR], "tower": [{"count": 24000, "base": [0, 0], "lean": 6e-5}]}
+        plank = {"version": 1, "plane": [FLOOR], "cube": [{"position": [0, 0.5]}, {"size": [1e8, 1], "position": [0.6, 1.5]}]}
+        for scene in (leaning, plank):
+            self.assertIn(self.verdict(scene), ("falls", "undecided"))
+        plank["cube"][1]["position"][0] = 0.4
+        self.assertIn(self.verdict(plank), ("stands", "undecided"))
+
     def test_mass_ratios(self):
         for ratio in (1e6, 1e9):
             pair = [{"name": "l", "position": [0, 0.5]}, {"name": "h", "position": [0, 1.5], "mass": ratio}]
@@ -269,6 +278,19 @@ class Limits(ProgramTest):
             pair = [{"name": "l", "position": [0, 0.5]}, {"name": "h", "position": [offset, 1.5], "mass": 1e14}]
             expected = ("stands", "undecided") if offset == 0.0 else ("falls", "undecided")
             self.assertIn(self.verdict({"version": 1, "plane": [FLOOR], "cube": pair}), expected)
+
+    def test_light_bodies_beside_heavy_ones_have_forces_as_exact_as_theirs(self):
+        light, lighter, off = 1.97e-6, 1e-9, 0.2
+        scene = {"version": 1, "plane": [FLOOR], "cube": [{"name": "h", "position": [0, 0.5], "mass": 5e5}, {"name": "l", "position": [0, 1.5], "mass": light},
+                                                            {"name": "m", "position": [off, 2.5], "mass": lighter}]}
+        for contact in json.loads(self.expect(0, "check", self.scene(scene), "--json").stdout)["contacts"]:
+            # l stands from -0.5 to 0.5, m on it from off - 0.5 to 0.5.
+            x = contact["point"][0]
+            exact = {"lh": 9.81 * (light / 2 + lighter * (0.5 + math.copysign(off, x))),
+                     "ml": 9.81 * lighter * (0.5 if x > 0 else 0.5 - off) / (1 - off)}.get(contact["on"] + contact["from"])
+            if exact is not None:
+                self.assertAlmostEqual(contact["force"] / exact, 1, delta=1e-9)
+                self.assertTrue(contact["unique"])
 
     def test_far_from_the_origin_the_coordinates_are_named(self):
         scene = {"version": 1, "plane": [{"name": "f", "point": [1e7, 1e7], "normal": [0, 1]}],
