@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <utility>
 
 #include <fmt/core.h>
@@ -17,6 +16,7 @@
 #include "app/film/still.h"
 #include "app/output/text_output.h"
 #include "core/scene/scene_parser.h"
+#include "render/files/file_bytes.h"
 #include "render/raster/compare.h"
 
 namespace wuerfel {
@@ -44,9 +44,7 @@ Made read_made(const std::string& path) {
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw UsageError(fmt::format("cannot read {}", path));
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::string svg = text.str();
+  std::string svg = file_bytes(file, "<");
   std::vector<PngText> texts = read_origin(svg);
   return {std::nullopt, std::move(svg), std::move(texts)};
 }

@@ -1,7 +1,6 @@
 #include "app/output/checkpoint.h"
 
 #include <fstream>
-#include <sstream>
 #include <utility>
 
 #include <fmt/core.h>
@@ -11,6 +10,7 @@
 #include "app/output/text_output.h"
 #include "core/scene/scene_parser.h"
 #include "core/time/archive.h"
+#include "render/files/file_bytes.h"
 
 namespace wuerfel {
 
@@ -105,9 +105,7 @@ Checkpoint parse_checkpoint(std::string_view bytes,
 Checkpoint read_checkpoint(const std::string& path, const std::string& origin) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw UsageError(fmt::format("--resume: there is no {}", path));
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return parse_checkpoint(std::move(bytes).str(), path, origin);
+  return parse_checkpoint(file_bytes(file, magic), path, origin);
 }
 
 }  // namespace wuerfel

@@ -42,8 +42,11 @@ void replay_programs(const std::string& path, const std::function<void(const Jso
   std::ifstream file(path, std::ios::binary);
   if (!file) throw UsageError(fmt::format("there is no {}", path));
   int number = 0;
-  for (std::string line; std::getline(file, line);) {
+  for (std::string line; file.peek() != std::ifstream::traits_type::eof();) {
     const std::string place = fmt::format("{}:{}", path, ++number);
+    // A device without end has no lines either.
+    if (file.peek() != '{') throw UsageError(place + ": no program: it does not begin with {");
+    std::getline(file, line);
     show(replayed(parse_program(line, place), number));
   }
 }

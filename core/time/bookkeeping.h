@@ -79,6 +79,7 @@ struct Audit {
   /// gaps right; a share of the same.
   double momentum_settled = 0.0;
   double momentum_budget = 0.0;  ///< what the method promises of the first two; 0: nothing yet
+  double settled_budget = 0.0;   ///< and of the third, up to now
   [[nodiscard]] double drift() const {
     return energy_end + impact_loss + friction_loss - energy_start;
   }

@@ -17,6 +17,10 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double shortest_window = 0.05;
 constexpr double longest_window = 8.0;
 constexpr double first_window = 0.5;
+
+/// A window ends after so many steps of a group, which are kept until then.
+constexpr int most_pieces = 1000;
+
 /// What has been added after the first `known`; what happened at one time keeps its order.
 template <typename Entry>
 void sort_by_time(std::vector<Entry>& list, std::size_t known) {
@@ -101,6 +105,10 @@ const Bookkeeping& IslandMotion::book() {
   audit.drift_budget =
       stepped ? drift_.of_steps(lost.impacts + lost.friction) : drift_.of_events(time_);
   audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
+  const double settled = !stepped           ? promised_settled
+                         : system_->bounces ? promised_settled_of_bounces
+                                            : promised_settled_of_steps;
+  audit.settled_budget = settled * (1.0 + time_ / scales_.time);
   return book;
 }
 
@@ -241,7 +249,12 @@ void IslandMotion::move_groups() {
     if (alone) limit = forever;
     for (Group& group : groups_) {
       Track& track = *group.track;
-      while (track.clock() < end_) {
+      for (int pieces = 0; track.clock() < end_; ++pieces) {
+        if (pieces == most_pieces) {
+          end_ = track.clock();
+          length_ = end_ - begin_;
+          break;
+        }
         beat();
         work_ += static_cast<long>(group.cubes.size());
         track.advance(limit);

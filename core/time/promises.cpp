@@ -17,8 +17,10 @@ std::vector<Promise> broken_promises(const Audit& audit) {
   check(audit.max_overlap <= promised_overlap, Promise::overlap);
   check(audit.drift_budget <= 0.0 || std::abs(audit.drift()) <= audit.drift_budget,
         Promise::energy);
+  const double unexplained = std::max(audit.momentum_linear, audit.momentum_angular);
   check(audit.momentum_budget <= 0.0
-            || std::max(audit.momentum_linear, audit.momentum_angular) <= audit.momentum_budget,
+            || (unexplained <= audit.momentum_budget
+                && audit.momentum_settled <= audit.settled_budget),
         Promise::momentum);
   return broken;
 }

@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <iterator>
+#include <string>
 
 #include "render/error.h"
+#include "render/files/file_bytes.h"
 #include "render/files/libpng_error.h"
 #include "render/files/png.h"
 #include "render/files/png_chunks.h"
@@ -64,8 +65,8 @@ void ignore_all_but_pixels(const Reader& reader) {
 }  // namespace
 
 PngFile decode_png(std::span<const std::uint8_t> bytes) {
-  constexpr std::size_t signature_size = 8;
-  if (bytes.size() < signature_size || png_sig_cmp(bytes.data(), 0, signature_size) != 0) {
+  if (bytes.size() < internal::png_signature.size()
+      || png_sig_cmp(bytes.data(), 0, internal::png_signature.size()) != 0) {
     throw RenderError("PNG: the file does not begin like one");
   }
   const std::vector<internal::PngChunk> chunks = internal::png_chunks(bytes);
@@ -97,8 +98,8 @@ PngFile decode_png(std::span<const std::uint8_t> bytes) {
 PngFile read_png(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw RenderError("cannot read " + path);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file),
-                                std::istreambuf_iterator<char>()};
+  const std::string signature(internal::png_signature.begin(), internal::png_signature.end());
+  const std::string bytes = file_bytes(file, signature);
   try {
     return decode_png({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
   } catch (const RenderError& error) {

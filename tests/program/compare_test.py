@@ -83,7 +83,7 @@ class Compare(ProgramTest):
         with open(self.path("text.png"), "w") as file:
             file.write("no picture")
         for arguments in (("a/one.png", "text.png"), ("a/one.png", "nowhere.png"), ("nowhere.png", "a/one.png"),
-                          ("a", "b/one.png"), ("a/one.png", "b"), ("nowhere.png", "text.png", "--update")):
+                          ("a", "b/one.png"), ("a/one.png", "b"), ("/dev/zero", "a/one.png"), ("nowhere.png", "text.png", "--update")):
             with self.subTest(arguments):
                 self.assertTrue(self.expect(2, "compare", *arguments).stderr.strip())
         self.assertFalse(os.path.exists(self.path("nowhere.png")))

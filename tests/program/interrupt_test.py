@@ -17,6 +17,7 @@ class Interrupt(ProgramTest):
     def stop(self, number, is_time, *arguments):
         process = subprocess.Popen([PROGRAM, "run", self.scene(FLYING), *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+        self.addCleanup(process.kill)
         deadline = time.monotonic() + 60
         while not is_time():
             self.assertIsNone(process.poll(), "ended before the signal")

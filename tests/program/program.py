@@ -2,6 +2,7 @@
 import json
 import os
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -34,6 +35,15 @@ name = "a"
 position = [0.0, 10.0]
 velocity = [1.0, 0.0]
 """
+
+
+def comma_locale(folder):
+    """The environment of a locale with decimal commas, which is made in the folder: none needs to be installed."""
+    subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", os.path.join(folder, "de_DE.UTF-8")], check=True, capture_output=True)
+    environment = {**os.environ, "LOCPATH": folder, "LC_ALL": "de_DE.UTF-8"}
+    point = subprocess.run(["locale", "decimal_point"], env=environment, check=True, capture_output=True, text=True).stdout
+    assert point == ",\n", point
+    return environment
 
 
 class ProgramTest(unittest.TestCase):
@@ -113,4 +123,5 @@ def png_texts(path):
 
 def main():
     sys.dont_write_bytecode = True
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # shells have jobs in the background ignore it
     unittest.main(verbosity=2)

@@ -103,8 +103,11 @@ void FixedStepMotion::step() {
   momentum_.include(momentum_scale(*system_, grid_.state, scales_.speed));
   note_unexplained(momentum_, book_);
   // Euler's steps as printed move places by the old velocities, which turns momenta without a bound.
-  if (!policy_of(settings_).as_printed)
+  if (!policy_of(settings_).as_printed) {
     book_.audit.momentum_budget = promised_momentum_of_first_order;
+    const double t = grid_.t + settings_.step;
+    book_.audit.settled_budget = promised_settled_of_first_order * (1.0 + t / scales_.time);
+  }
   hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
   if (policy_of(settings_).method == MotionPolicy::Method::moreau) note_energy();

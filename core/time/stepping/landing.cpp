@@ -9,6 +9,12 @@
 #include "core/time/stepping/step_books.h"
 
 namespace wuerfel {
+namespace {
+
+/// What closes by no more g h in the second half doesn't bounce: what rests closes by half of one.
+constexpr double bounce_steps = 1.0;
+
+}  // namespace
 
 Landing::Landing(Workspace& work, OverlapRemoval& removal)
     : system_(work.system), work_(&work), removal_(&removal) {}
@@ -103,7 +109,7 @@ void Landing::strike(State& state, Bookkeeping& book) {
 void Landing::hit(State& state, Bookkeeping& book) {
   std::vector<Island> islands;
   find_islands(*system_, contacts_, islands);
-  const double slow = impact_steps * stride_->scales.gravity * stride_->h;
+  const double slow = bounce_steps * stride_->scales.gravity * stride_->h;
   for (const Island& island : islands) {
     if (!closes(*system_, state, island)) continue;
     const IslandSolution after = rubs(*system_, island) || bounces(*system_, island)

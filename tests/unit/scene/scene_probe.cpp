@@ -1,8 +1,9 @@
 // For schema_test.py: without arguments prints the JSON Schema; with --parse reads one JSON scene a
-// line and answers each with "ok" or the message of the SceneError; with --normalise FILE prints
-// the file's normalised scene.
+// line and answers each with "ok" or the message of the SceneError; with --normalise FILE [LOCALE] prints
+// the file's normalised scene, in that locale.
 #include <fstream>
 #include <iostream>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -27,7 +28,8 @@ int main(int argc, char** argv) {
     for (std::string line; std::getline(std::cin, line);) {
       std::cout << answer(line) << '\n';
     }
-  } else if (mode == "--normalise" && argc == 3) {
+  } else if (mode == "--normalise" && argc >= 3) {
+    if (argc > 3) std::locale::global(std::locale(argv[3]));
     const std::ifstream file(argv[2]);
     std::ostringstream text;
     text << file.rdbuf();
