@@ -64,7 +64,7 @@ Restricted OverlapRemoval::apart(Island island) const {
   Restricted part{std::move(island), {}};
   part.use.assign(part.island.contacts.size(), SideUse::inequality);
   for (const Contact& c : part.island.contacts) {
-    const double move = rubbing ? overlap(c) : std::min(deepest, 0.5 * push * ease(c));
+    const double move = rubbing ? 2.0 * overlap(c) : std::min(deepest, 0.5 * push * ease(c));
     part.margins.push_back(margin(c, move));
   }
   return part;
