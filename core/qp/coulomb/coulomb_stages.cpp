@@ -18,13 +18,13 @@ constexpr int settling_factorisations = 40;
 constexpr double near_margin = 1e-9;
 constexpr double near_velocity_margin = 1e-4;  ///< times the compliance
 constexpr double near_delta_fall = 0.1;
-constexpr double least_near_delta = 3e-9;
-constexpr int most_near_steps = 30;
 constexpr int most_near_crossings = 100;
-constexpr int steps_per_leap = 3;
+constexpr double leap_delta = 3e-9;
+constexpr int most_leaping_steps = 30;
+constexpr double slow_share = 0.9;   ///< of what rows miss that a step leaves
+constexpr double first_leap = 10.0;  ///< steps at once
 constexpr double leap_growth = 10.0;
-constexpr double first_leap = 1000.0;     ///< steps at once
-constexpr double most_leap_misses = 100;  ///< times what was missed before
+constexpr double most_leap_misses = 100.0;  ///< times what was missed before
 constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
 constexpr int most_crossed_units =
@@ -203,25 +203,32 @@ bool CoulombStages::settle(const FrictionProgram& friction,
   const std::vector<ContactMode> kept_modes = modes;
   const ContactPoint kept_point = point;
   if (harden(friction, large_delta, stage, result)) return true;
-  modes = kept_modes;
-  point = kept_point;
-  if (follow_near(friction, stage, result)) return true;
+  for (const NearSteps steps : {NearSteps::leap, NearSteps::stiffen}) {
+    modes = kept_modes;
+    point = kept_point;
+    if (follow_near(friction, steps, stage, result)) return true;
+  }
   modes = kept_modes;
   point = kept_point;
   return false;
 }
 
 /// Proximal steps, each by a path that is short: the point is moved by no more than it misses. Where rows contradict one
-/// another by that little each moves forces along a state of self-stress by as much, and more compliance is not to be taken
-/// away: every third one leaps along the last one, farther and farther, until rows miss much more than before.
+/// another by that little each moves forces along a state of self-stress by as much. Either compliance is taken away on and
+/// on, or, where it is small already and a step hardly got nearer, the next one leaps along it, farther and farther, until
+/// rows miss much more than before.
 bool CoulombStages::follow_near(const FrictionProgram& friction,
+                                NearSteps steps,
                                 CoulombStage stage,
                                 CoulombResult& result) {
+  const bool leaping = steps == NearSteps::leap;
+  const double least_delta = leaping ? leap_delta : least_path_delta;
   std::vector<Pair> centre = point.l;
   double leap = first_leap;
+  double former = unbounded;
   ModePathEffort effort{
       .delta = path_delta, .most_crossings = most_near_crossings, .margin = near_margin};
-  for (int k = 0; k < most_near_steps; ++k) {
+  for (int k = 0; k < (leaping ? most_leaping_steps : most_proximal_steps); ++k) {
     effort.velocity_margin = near_velocity_margin * effort.delta;
     const std::vector<Pair> start = point.l;
     const auto seed = static_cast<std::uint64_t>(k);
@@ -230,17 +237,21 @@ bool CoulombStages::follow_near(const FrictionProgram& friction,
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
     centre = point.l;
-    effort.most_missed = unbounded;
-    if (effort.delta == least_near_delta && k % steps_per_leap == steps_per_leap - 1) {
-      const double missed = missed_by(form_, modes, point);
-      effort.most_missed = std::max(most_leap_misses * missed, settings_.tolerance);
+    const bool leapt = effort.most_missed < unbounded;
+    const double missed = missed_by(form_, modes, point);
+    const bool leaps =
+        leaping && effort.delta == leap_delta && !leapt && missed > slow_share * former;
+    if (leaps) {
       for (std::size_t i = 0; i < centre.size(); ++i) {
         centre[i].n += leap * (point.l[i].n - start[i].n);
         centre[i].t += leap * (point.l[i].t - start[i].t);
       }
       leap *= leap_growth;
     }
-    effort.delta = std::max(near_delta_fall * effort.delta, least_near_delta);
+    effort.most_missed =
+        leaps ? std::max(most_leap_misses * missed, settings_.tolerance) : unbounded;
+    former = leapt ? unbounded : missed;
+    effort.delta = std::max(near_delta_fall * effort.delta, least_delta);
   }
   return false;
 }

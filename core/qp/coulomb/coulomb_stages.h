@@ -60,7 +60,11 @@ class CoulombStages {
               CoulombStage stage,
               CoulombResult& result);
   bool settle(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
-  bool follow_near(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
+  enum class NearSteps { leap, stiffen };
+  bool follow_near(const FrictionProgram& friction,
+                   NearSteps steps,
+                   CoulombStage stage,
+                   CoulombResult& result);
   bool accept(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool judge_point(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   void find_modes();
