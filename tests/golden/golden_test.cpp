@@ -190,9 +190,10 @@ TEST(Pixels, DoNotDependOnTheSizeOfThePictureBefore) {
   const Style style = make_style(Theme::light);
   const FrameOptions options = literal_options({Layer::cubes, Layer::forces});
   for (const auto& [w, h] : {std::pair{150, 90}, {148, 98}, {480, 130}, {960, 540}}) {
-    for (int times = 0; times < 3; ++times)
+    for (int times = 0; times < 3; ++times) {
       draw(pyramid_snapshot(), literal_view(pyramid_snapshot(), style, options, w, h), Theme::light,
            options);
+    }
     EXPECT_EQ(first, draw_fitted(pyramid_snapshot(), Theme::light, default_layers))
         << w << 'x' << h;
   }

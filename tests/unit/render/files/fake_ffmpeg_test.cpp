@@ -95,12 +95,11 @@ TEST_F(FakeFfmpeg, ThatNeverReadsIsGivenUp) {
   settings.while_waiting = short_patience();
   const auto writer = make_animation_writer(path("a.mp4"), settings);
   const Image picture(settings.width, settings.height);
-  EXPECT_THROW(
-      {
-        for (int i = 0; i < 20; ++i)
-          writer->add(picture);
-      },
-      Impatience);
+  const auto add_many = [&] {
+    for (int i = 0; i < 20; ++i)
+      writer->add(picture);
+  };
+  EXPECT_THROW(add_many(), Impatience);
 }
 
 TEST_F(FakeFfmpeg, GetsNothingThroughAShell) {
