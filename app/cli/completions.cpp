@@ -144,9 +144,10 @@ Text fish_option(const CommandOptions& command, const DeclaredOption& option) {
 
 Text fish(const std::vector<CommandOptions>& commands) {
   Text text = "# Completions of wuerfel for fish.\n";
-  for (const CommandOptions& command : commands)
+  for (const CommandOptions& command : commands) {
     text += fmt::format("complete -c wuerfel -n __fish_use_subcommand -f -a {} -d {}\n",
                         command.name, in_quotes(command.meaning));
+  }
   for (const CommandOptions& command : commands) {
     for (const DeclaredOption& option : command.options)
       text += fish_option(command, option);

@@ -53,10 +53,11 @@ int parse_threads(const char* option, const Text& text) {
 double parse_tolerance(const Text& text) {
   constexpr double smallest = 1e-15;
   const double value = parse_positive("--tolerance", text);
-  if (value < smallest)
+  if (value < smallest) {
     throw UsageError(
         fmt::format("--tolerance: {} is below {}, which is all that numbers of 16 digits can hold",
                     text, smallest));
+  }
   return value;
 }
 
@@ -104,7 +105,9 @@ void add_motion_options(Options& options, MotionSettings& motion) {
                  [&motion](const Text& text) { motion.step = parse_positive("--step", text); });
 }
 
-void add_picture_options(Options& options, PictureOptions& picture) {
+namespace {
+
+void add_look_options(Options& options, PictureOptions& picture) {
   options.single("--size", "WxH",
                  "pixels [1280x720]; a figure takes 1280xauto: as high as the scene asks for",
                  [&picture](const Text& text) { picture.size = parse_pixel_size(text); });
@@ -144,6 +147,9 @@ void add_picture_options(Options& options, PictureOptions& picture) {
                  "free bodies: each farther from the others by this share of their distance, with "
                  "all forces on it, weights and numbers [0]",
                  [&picture](const Text& text) { picture.explode = parse_time("--explode", text); });
+}
+
+void add_camera_options(Options& options, PictureOptions& picture) {
   options.single("--legend", "A,B,..",
                  fmt::format("what the legend says of forces: any of {} [what occurs]",
                              join_choices(choices<LegendEntry>())),
@@ -171,6 +177,13 @@ void add_picture_options(Options& options, PictureOptions& picture) {
       "--scale", "S",
       "size of text, lines and arrow heads, up to 8; they grow with the picture anyway [1]",
       [&picture](const Text& text) { picture.scale = parse_scale(text); });
+}
+
+}  // namespace
+
+void add_picture_options(Options& options, PictureOptions& picture) {
+  add_look_options(options, picture);
+  add_camera_options(options, picture);
 }
 
 void add_encoder_option(Options& options, PngEncoder& encoder) {

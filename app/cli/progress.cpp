@@ -1,6 +1,7 @@
 #include "app/cli/progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <unistd.h>
@@ -27,7 +28,7 @@ std::string_view environment(const char* name) {
 std::string clock_text(double seconds) {
   constexpr double year = 365.0 * 24.0 * 3600.0;
   if (seconds > year) return fmt::format("{:.2g} years", seconds / year);
-  const long whole = static_cast<long>(seconds + 0.5);
+  const long whole = std::lround(seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
   return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);

@@ -128,13 +128,15 @@ std::optional<SceneText> SceneQueue::next_line() {
   return SceneText{fmt::format("standard input, scene {}", ++lines_), std::exchange(ahead_, {})};
 }
 
-std::string text_hash(std::string_view text) {
+std::uint64_t text_number(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : text) {
     hash ^= static_cast<unsigned char>(c);
     hash *= 0x100000001b3U;
   }
-  return fmt::format("{:016x}", hash);
+  return hash;
 }
+
+std::string text_hash(std::string_view text) { return fmt::format("{:016x}", text_number(text)); }
 
 }  // namespace wuerfel

@@ -1,6 +1,7 @@
 /// Where scenes come from: files, standard input, or the scenes that come along.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,7 +52,9 @@ class SceneQueue {
   std::string ahead_;     // a line that has been read and not handed out
 };
 
-/// 64-bit FNV-1a of the text in hexadecimal: names a scene in summaries.
+/// 64-bit FNV-1a of the text.
+std::uint64_t text_number(std::string_view text);
+/// The same in hexadecimal: names a scene in summaries.
 std::string text_hash(std::string_view text);
 
 }  // namespace wuerfel

@@ -6,9 +6,8 @@ namespace wuerfel {
 
 namespace {
 
-// A signal handler can reach nothing but a global.
-volatile std::sig_atomic_t noted_signal =
-    0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+// A signal handler can reach nothing but a global. NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+volatile std::sig_atomic_t noted_signal = 0;
 
 extern "C" void note_signal(int signal) { noted_signal = signal; }
 

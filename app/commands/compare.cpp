@@ -162,6 +162,7 @@ ExitCode compare(const CompareOptions& options) {
   const std::vector<PicturePair> pairs =
       picture_pairs(options.expected, options.actual, options.update);
   std::vector<Finding> findings;
+  findings.reserve(pairs.size());
   for (const PicturePair& pair : pairs)
     findings.push_back(judge(pair, options));
   const Finding& worst = *std::ranges::max_element(findings, less_bad);

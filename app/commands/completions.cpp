@@ -35,9 +35,10 @@ std::vector<DeclaredOption> declared_options(const Command& command) {
 
 std::vector<CommandOptions> declared_commands() {
   std::vector<CommandOptions> all;
-  for (const Command& command : all_commands())
+  for (const Command& command : all_commands()) {
     all.push_back(
         {std::string(command.name), std::string(command.meaning), declared_options(command)});
+  }
   return all;
 }
 

@@ -88,9 +88,10 @@ void require_room(const std::vector<Need>& list) {
 
 }  // namespace
 
-std::string estimate(const RunOptions& asked, const Scene& scene, const RunPlan& plan) {
-  const auto frames =
-      std::ranges::count_if(plan.instants, [](const TimetableEntry& i) { return i.frame; });
+std::string estimate(const RunOptions& asked,
+                     const Scene& scene,
+                     const std::vector<TimetableEntry>& instants) {
+  const auto frames = std::ranges::count(instants, true, &TimetableEntry::frame);
   const std::vector<Need> list = needs(asked, scene, static_cast<double>(frames));
   require_room(list);
   double bytes = 0.0;

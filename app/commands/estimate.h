@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/commands/run_plan.h"
 #include "core/scene/scene.h"
@@ -12,6 +13,8 @@ namespace wuerfel {
 /// two for frames, of six for films.
 /// Throws UsageError where not even the least that such outputs take fits into the folders they go
 /// to.
-std::string estimate(const RunOptions& asked, const Scene& scene, const RunPlan& plan);
+std::string estimate(const RunOptions& asked,
+                     const Scene& scene,
+                     const std::vector<TimetableEntry>& instants);
 
 }  // namespace wuerfel

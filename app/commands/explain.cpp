@@ -41,20 +41,22 @@ void draw(const Scene& scene, const ExplainOptions& asked) {
   const StopSignal stop;
   Font font;
   const Still still = compose_still(scene, options, stop, font);
-  if (const auto format = vector_format(lower_case(asked.output)))
+  if (const auto format = vector_format(lower_case(asked.output))) {
     output.write(encode_vector_figure(still.page, *format, font, still.cells));
-  else
+  } else {
     output.write(encode_png(draw_still(still), still.origin, options.picture.encoder));
+  }
   output.finish();
 }
 
 ExitCode explain(const ExplainOptions& asked, const Options& options) {
   Notes notes;
   const bool drawn = options.given("--output");
-  if (!drawn)
+  if (!drawn) {
     note_idle(options, {"--size", "--theme"}, "without a picture, -o", notes);
-  else
+  } else {
     require_picture(asked.output);
+  }
   const Scene scene = read_scene(asked.scene);
   note_idle_solver(options, scene, notes);
   const Explanation explanation = explain(scene, asked.still.motion);

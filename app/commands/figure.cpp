@@ -37,9 +37,10 @@ void require_still(const FigureOptions& asked) {
   const auto& strip = asked.still.strip;
   const double room =
       strip ? static_cast<double>(strip->columns) * static_cast<double>(strip->rows) : 1.0;
-  if (room > most_pictures)
+  if (room > most_pictures) {
     throw UsageError(
         fmt::format("--strip: {:.0f} pictures are more than {:.0f}", room, most_pictures));
+  }
   if (static_cast<double>(asked.times.size()) > room) {
     throw UsageError(
         strip ? fmt::format("-t: {} times do not fit into a strip of {}", asked.times.size(), room)
@@ -97,11 +98,12 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const Still still = compose_still(scene, still_options, stop, font);
   if (still.labels_left_out > 0)
     notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
-  if (still.legend_left_out > 0)
+  if (still.legend_left_out > 0) {
     notes.add(
         fmt::format("{} entries of the legend have no room and are left out: take a larger "
                     "--size, a smaller --scale or fewer --layers",
                     still.legend_left_out));
+  }
   if (!still.hint.empty()) notes.add(still.hint);
   output.write(encode(still, asked, font));
   output.finish();

@@ -57,6 +57,7 @@ struct Job {
   const Scene& scene;
   RunPlan plan;
   Stopwatch since_start;
+  std::vector<TimetableEntry> instants{};
 };
 
 /// Where the simulation begins: at the start, or where a checkpoint stopped it.
@@ -74,7 +75,7 @@ std::size_t repeat(const Job& job,
                    RunBooks& books) {
   std::size_t k = 0;
   std::size_t next = 0;
-  const auto& instants = job.plan.instants;
+  const auto& instants = job.instants;
   for (; k < instants.size() && instants[k].t < simulation.time(); ++k) {
     if (!is_seen(instants[k])) continue;
     if (next == moments.size() || moments[next].t != instants[k].t) break;
@@ -103,8 +104,8 @@ void simulate(const Job& job,
   const bool strict = job.asked.strict;
   double due = job.asked.every.value_or(job.plan.end / 10.0);
   const double every = due;
-  for (std::size_t k = first; k < job.plan.instants.size(); ++k) {
-    const TimetableEntry& instant = job.plan.instants[k];
+  for (std::size_t k = first; k < job.instants.size(); ++k) {
+    const TimetableEntry& instant = job.instants[k];
     simulation.advance_to(instant.t);
     progress.reached(instant.t);
     if (is_seen(instant)) {
@@ -121,8 +122,19 @@ void simulate(const Job& job,
   accuracy.look(simulation, books.worst_force());
 }
 
-Answer run(const Job& job, AnswerForm form, Notes& notes) {
-  const auto& [asked, scene, plan, since_start] = job;
+void say_work(const Job& job, AnswerForm form) {
+  const std::string work = estimate(job.asked, job.scene, job.instants);
+  if (!work.empty() && !job.asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
+}
+
+void note_labels(const RunBooks& books, Notes& notes) {
+  const int left_out = books.labels_left_out();
+  if (left_out > 0)
+    notes.add(fmt::format("up to {} labels of a frame have no room and are left out", left_out));
+}
+
+Answer run(Job job, AnswerForm form, Notes& notes) {
+  const auto& [asked, scene, plan, since_start, instants] = job;
   // Where there are several scenes nothing is written that a signal could tear.
   const StopSignal stop(form.one_line ? StopSignal::Ear::deaf : StopSignal::Ear::open);
   const std::string origin = checkpoint_origin(scene, asked.motion);
@@ -137,12 +149,13 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
 
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&stop] { stop.check(); };
-  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
-                            plan.request, plan.back,    stop};
-  RunBooks books(asked, plan, source, animation);
+  RunOutputs outputs(asked, animation);
   SummaryFile summary_file(asked.summary);
-  const std::string work = estimate(asked, scene, plan);
-  if (!work.empty() && !asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
+  job.instants = instants_of(asked, plan);
+  const MotionSource source{scene,        asked.motion, instants, plan.request,
+                            plan.request, plan.back,    stop};
+  RunBooks books(asked, source, outputs);
+  say_work(job, form);
   RunCost cost{.start_s = since_start.cpu_before() + since_start.wall()};
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
@@ -169,9 +182,7 @@ Answer run(const Job& job, AnswerForm form, Notes& notes) {
   }
   cost.frames = books.frames();
   cost.frames_reused = books.reused();
-  if (books.labels_left_out() > 0)
-    notes.add(fmt::format("up to {} labels of a frame have no room and are left out",
-                          books.labels_left_out()));
+  note_labels(books, notes);
   cost.wall_s = watch.wall();
   cost.cpu_s = watch.cpu();
   const ExitCode code = accuracy.verdict(notes);

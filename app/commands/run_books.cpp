@@ -6,15 +6,16 @@
 
 namespace wuerfel {
 
-RunBooks::RunBooks(const RunOptions& asked,
-                   const RunPlan& plan,
-                   const MotionSource& source,
-                   const AnimationSettings& animation)
+RunOutputs::RunOutputs(const RunOptions& asked, const AnimationSettings& animation)
+    : pictures(asked.outputs, animation, asked.hold),
+      tables(asked.states, asked.forces, asked.events) {}
+
+RunBooks::RunBooks(const RunOptions& asked, const MotionSource& source, RunOutputs& outputs)
     : asked_(asked),
       scene_(source.scene),
-      pictures_(asked.outputs, animation, asked.hold),
-      tables_(asked.states, asked.forces, asked.events),
-      taker_(plan.request, plan.request, plan.back),
+      pictures_(outputs.pictures),
+      tables_(outputs.tables),
+      taker_(source.request, source.passing, source.back),
       film_(asked.picture, asked.rate, source, pictures_) {}
 
 void RunBooks::take(const TimetableEntry& instant,

@@ -14,15 +14,20 @@
 
 namespace wuerfel {
 
+/// What a run writes while it goes on.
+struct RunOutputs {
+  /// Throws OutputError where something cannot be written or is missing: it is noticed before the long work.
+  RunOutputs(const RunOptions& asked, const AnimationSettings& animation);
+
+  PictureOutputs pictures;
+  Tables tables;
+};
+
 /// Frames, tables and samples.
 class RunBooks {
  public:
-  /// `source` lives longer than the books. Throws OutputError where something cannot be written: it is
-  /// noticed before the long work.
-  RunBooks(const RunOptions& asked,
-           const RunPlan& plan,
-           const MotionSource& source,
-           const AnimationSettings& animation);
+  /// Everything told lives longer than the books.
+  RunBooks(const RunOptions& asked, const MotionSource& source, RunOutputs& outputs);
 
   /// A moment that somebody wants to see. Throws OutputError, RenderError, Interrupted.
   void take(const TimetableEntry& instant, const Simulation& simulation, const Moment& moment);
@@ -39,8 +44,8 @@ class RunBooks {
  private:
   const RunOptions& asked_;
   const Scene& scene_;
-  PictureOutputs pictures_;
-  Tables tables_;
+  PictureOutputs& pictures_;
+  Tables& tables_;
   FrameTaker taker_;
   Film film_;
   std::vector<StateSample> samples_;

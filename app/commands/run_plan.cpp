@@ -24,10 +24,7 @@ void require_samples_until(double end, const std::vector<double>& samples) {
   }
 }
 
-std::vector<double> frames_until(double end, const RunOptions& asked) {
-  if (asked.outputs.empty() && !asked.tables()) return {};
-  return frame_times(end, asked.rate);
-}
+bool has_frames(const RunOptions& asked) { return !asked.outputs.empty() || asked.tables(); }
 
 // Where nobody looks, somebody waits: he sees every hundredth of the way, or every checkpoint.
 std::vector<double> marks_until(double end, const RunOptions& asked) {
@@ -91,19 +88,25 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   require_samples_until(plan.end, asked.samples);
   require_possible_steps(plan.end, asked.motion);
   require_body(asked.picture.camera, scene);
-  const std::vector<double> frames = frames_until(plan.end, asked);
-  plan.instants = timetable(plan.end, frames, asked.samples,
-                            frames.empty() ? marks_until(plan.end, asked) : std::vector<double>{});
-  mark_scales(plan.instants);
+  if (has_frames(asked)) static_cast<void>(frame_count(plan.end, asked.rate));
   if (!asked.outputs.empty()) {
     PictureOptions picture = asked.picture;
     picture.color_by = color_by(picture, scene.cubes.size());
     plan.request = snapshot_request(picture, scene.cubes.size());
     plan.back = look_back(picture, asked.rate.speed / asked.rate.fps, asked.rate.speed);
-    plan.instants = with_looks(std::move(plan.instants), plan.back);
   }
   if (!asked.forces.empty()) plan.request.forces = true;
   return plan;
+}
+
+std::vector<TimetableEntry> instants_of(const RunOptions& asked, const RunPlan& plan) {
+  using Times = std::vector<double>;
+  const bool frames = has_frames(asked);
+  std::vector<TimetableEntry> instants =
+      timetable(plan.end, frames ? frame_times(plan.end, asked.rate) : Times{}, asked.samples,
+                frames ? Times{} : marks_until(plan.end, asked));
+  mark_scales(instants);
+  return with_looks(std::move(instants), plan.back);
 }
 
 }  // namespace wuerfel

@@ -46,13 +46,15 @@ struct RunOptions {
 void require_distinct_outputs(const RunOptions& asked);
 
 struct RunPlan {
-  double end = 0.0;                      ///< s
-  std::vector<TimetableEntry> instants;  ///< when to look
-  SnapshotRequest request;               ///< and at what
-  LookBack back;                         ///< and how far back pictures do
+  double end = 0.0;         ///< s
+  SnapshotRequest request;  ///< what to look at
+  LookBack back;            ///< how far back pictures look
 };
 
 /// Throws UsageError where the options do not fit the scene.
 RunPlan make_plan(const RunOptions& asked, const Scene& scene);
+
+/// When to look. Takes seconds for millions of frames.
+std::vector<TimetableEntry> instants_of(const RunOptions& asked, const RunPlan& plan);
 
 }  // namespace wuerfel

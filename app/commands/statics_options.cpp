@@ -60,9 +60,10 @@ std::vector<int> cubes_named(const Scene& scene, const std::vector<std::string>&
   std::vector<int> cubes;
   for (const std::string& name : names) {
     const auto at = std::ranges::find(known, name);
-    if (at == known.end())
+    if (at == known.end()) {
       throw UsageError(
           fmt::format("--bodies: there is no cube '{}'{}", name, suggestion(name, known)));
+    }
     cubes.push_back(static_cast<int>(at - known.begin()));
   }
   return cubes;

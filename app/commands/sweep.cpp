@@ -86,9 +86,10 @@ Shard shard_of(const RunCommand& asked) {
   if (asked.shard_given) return asked.choice.shard;
   const std::optional<EngineShard> engine = shard_of_engine();
   if (!engine) return {};
-  if (!asked.quiet)
+  if (!asked.quiet) {
     say(fmt::format("wuerfel: shard {} of {}, by {}\n", engine->shard.index, engine->shard.count,
                     engine->variable));
+  }
   return engine->shard;
 }
 
@@ -99,15 +100,17 @@ ExitCode run(const RunCommand& asked) {
   const StopSignal stop;
   std::optional<Progress> bar;
   const RunReport report = run_plan(plan, choice, stop, [&](long done, long all) {
-    if (!bar)
+    if (!bar) {
       bar.emplace(Progress::style_for_stderr(asked.quiet), "sampling", static_cast<double>(all),
                   "samples");
+    }
     bar->reached(static_cast<double>(done));
   });
   if (bar) bar->end();
-  if (!asked.quiet || report.failed > 0)
+  if (!asked.quiet || report.failed > 0) {
     say(fmt::format("wuerfel: {} samples made, {} failed, {} left\n", report.made, report.failed,
                     report.left));
+  }
   if (report.left > 0) return ExitCode::again;
   return report.failed > 0 ? ExitCode::undecided : ExitCode::fine;
 }

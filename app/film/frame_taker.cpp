@@ -138,9 +138,10 @@ std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const 
 
 std::vector<SnapshotImpact> FrameTaker::marks(double t) const {
   std::vector<SnapshotImpact> marks;
-  for (const Event& impact : impacts_)
+  for (const Event& impact : impacts_) {
     if (impact.t > t - back_.impacts)
       marks.push_back({impact.point, impact.impulse, (t - impact.t) / back_.impacts});
+  }
   return marks;
 }
 

@@ -67,6 +67,10 @@ void MotionRange::include(const Snapshot& snapshot) {
   for (const double load : joint_loads(snapshot))
     loads.include(load);
   largest_load = std::max(largest_load, largest_value(snapshot, ColorBy::load));
+  notice(snapshot);
+}
+
+void MotionRange::notice(const Snapshot& snapshot) {
   if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
   if (!snapshot.mechanism.empty()) seen.insert(LegendEntry::mechanism);
   if (!snapshot.causes.empty()) seen.insert(LegendEntry::cause);
@@ -113,9 +117,10 @@ void Recording::add(Snapshot snapshot) {
                   std::move(snapshot.causes),
                   std::move(snapshot.mechanism)};
   scenery.boxes.reserve(snapshot.boxes.size());
-  for (const SnapshotBox& box : snapshot.boxes)
+  for (const SnapshotBox& box : snapshot.boxes) {
     scenery.boxes.push_back({box.center, box.velocity, box.angle, box.spin, box.acceleration,
                              box.angular_acceleration});
+  }
   Frame frame{snapshot.time, snapshot.energy, nullptr};
   bytes_ += sizeof frame;
   if (!frames_.empty() && *frames_.back().scenery == scenery) {

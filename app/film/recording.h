@@ -55,6 +55,8 @@ struct MotionRange {
 
  private:
   void include(const SnapshotRange& range);
+  /// What the legend has to explain.
+  void notice(const Snapshot& snapshot);
 };
 
 /// The frames of a motion. What never changes (names, sizes, colours, fixed boxes, planes) is kept

@@ -23,9 +23,10 @@ void require_possible_steps(double end, const MotionSettings& motion) {
   constexpr double most_steps = 1e14;
   const bool by_steps =
       motion.integrator != Integrator::automatic && motion.integrator != Integrator::event;
-  if (by_steps && !(end <= most_steps * motion.step))
+  if (by_steps && !(end <= most_steps * motion.step)) {
     throw UsageError(fmt::format("--step: {:.3g} steps to the end at {} s are more than {:.0g}",
                                  end / motion.step, end, most_steps));
+  }
 }
 
 std::vector<double> frame_times(double end, const FrameRate& rate) {

@@ -76,11 +76,12 @@ std::string bodies_text(const StillScene& still, const Margins& margins) {
 std::string smallest_text(const StillScene& still, const Margins& margins) {
   const std::string& name = still.system.body(margins.weakest).name;
   const double share = *margins.smallest;
-  if (share < 0.0)
+  if (share < 0.0) {
     return fmt::format(
         "  margin {:.4g}: it would stand if the weight of {} acted {:.4g} of its smaller side "
         "beside the middle\n",
         share, name, -share);
+  }
   if (share <= knife_edge)
     return fmt::format("  margin 0: a knife edge, the weight of {} may not shift at all\n", name);
   return fmt::format(
@@ -109,9 +110,10 @@ void add_margins(const StillScene& still,
   if (request.shift)
     margin["smallest"] = margins.smallest ? Json(*margins.smallest) : Json(nullptr);
   margin["error"] = margins.error;
-  if (request.shift)
+  if (request.shift) {
     margin["weakest"] =
         margins.weakest < 0 ? Json(nullptr) : Json(still.system.body(margins.weakest).name);
+  }
   json["margin"] = std::move(margin);
 }
 

@@ -23,12 +23,13 @@ void film(const RunOptions& asked, const Scene& scene) {
   const RunPlan plan = make_plan(asked, scene);
   AnimationSettings animation = animation_settings(asked.picture, asked.rate.fps, scene);
   animation.while_waiting = [&interruption] { interruption.check(); };
-  const MotionSource source{scene,        asked.motion, plan.instants, plan.request,
-                            plan.request, plan.back,    deaf};
-  RunBooks books(asked, plan, source, animation);
+  RunOutputs outputs(asked, animation);
+  const MotionSource source{
+      scene, asked.motion, instants_of(asked, plan), plan.request, plan.request, plan.back, deaf};
+  RunBooks books(asked, source, outputs);
   Simulation simulation(scene, asked.motion);
   simulation.set_pulse([&interruption] { interruption.check(); });
-  for (const TimetableEntry& instant : plan.instants) {
+  for (const TimetableEntry& instant : source.instants) {
     simulation.advance_to(instant.t);
     if (is_seen(instant)) books.take(instant, simulation, simulation.moment());
   }

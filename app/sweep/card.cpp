@@ -48,9 +48,10 @@ std::string summary(const std::vector<Json>& cells) {
 
 std::string column_rows(const LabelTable& labels, const std::string& table) {
   std::string text;
-  for (const LabelTable::Column& column : labels.columns())
+  for (const LabelTable::Column& column : labels.columns()) {
     if (column.table == table)
       text += fmt::format("| `{}` | {} |\n", column.name, summary(column.cells));
+  }
   return text;
 }
 
@@ -71,22 +72,25 @@ std::string split_rows(const LabelTable& labels) {
 
 std::string files_text(const SampleFiles& files) {
   std::string text = "- `ID.json`: labels, values, names of the bodies in order, and the scene\n";
-  if (files.first_frame)
+  if (files.first_frame) {
     text += fmt::format(
         "- `ID.first.png`: the start, {}x{}; its view is that of the masks and the film\n",
         files.size.width, files.size.height);
+  }
   if (files.instance_mask)
     text += "- `ID.instance.png`: grey; number of the cube from 1, 0 is air and ground\n";
-  if (files.violation_mask)
+  if (files.violation_mask) {
     text +=
         "- `ID.violation.png`: grey; 1 the smallest part that falls by itself, 2 the cubes it "
         "presses "
         "on, 0 all else\n";
-  if (files.states)
+  }
+  if (files.states) {
     text += fmt::format(
         "- `ID.states.npy`: float64 (times, bodies, 6): x, y, angle, their rates; SI "
         "units, {:g} rows a second from t = 0\n",
         *files.states);
+  }
   if (files.video) text += fmt::format("- `ID.mp4`: {:g} frames a second\n", *files.video);
   return text;
 }

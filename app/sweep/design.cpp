@@ -3,24 +3,16 @@
 #include <numeric>
 #include <utility>
 
+#include "app/cli/scene_source.h"
 #include "core/scene/counter_random.h"
 
 namespace wuerfel {
 
 namespace {
 
-// FNV-1a, 64 bits: variables have streams of their own, whatever stands before them in the file.
-std::uint64_t number_of(const std::string& key) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : key) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3U;
-  }
-  return hash;
-}
-
+// Variables have streams of their own, whatever stands before them in the file.
 std::uint64_t stream_of(const Sweep& sweep, std::size_t variable) {
-  return random_bits(sweep.seed, number_of(sweep.variables[variable].key));
+  return random_bits(sweep.seed, text_number(sweep.variables[variable].key));
 }
 
 // In (0, 1): the middles of 2^52 equal parts, all of them exact.

@@ -29,13 +29,15 @@ std::optional<long> variable(const char* name) {
 
 Shard checked(const Shard& shard, const std::string& origin) {
   constexpr long most = 1'000'000;
-  if (shard.count < 1 || shard.count > most)
+  if (shard.count < 1 || shard.count > most) {
     throw UsageError(
         fmt::format("{}: {} is no number of shards of 1 to {}", origin, shard.count, most));
-  if (shard.index < 0 || shard.index >= shard.count)
+  }
+  if (shard.index < 0 || shard.index >= shard.count) {
     throw UsageError(fmt::format("{}: there is no shard {} of {}; they are 0/{} to {}/{}", origin,
                                  shard.index, shard.count, shard.count, shard.count - 1,
                                  shard.count));
+  }
   return shard;
 }
 
@@ -60,9 +62,10 @@ Shard parse_shard(const std::string& text) {
                          : whole_number(std::string_view(text).substr(slash + 1));
   const auto sequence = variable("PARALLEL_SEQ");
   const auto number = index == "*" && sequence ? std::optional(*sequence - 1) : whole_number(index);
-  if (!number || !count)
+  if (!number || !count) {
     throw UsageError(fmt::format(
         "--shard: '{}' is not I/N with I from 0 to N-1 (or */N in a job of GNU parallel)", text));
+  }
   return checked({*number, *count}, "--shard");
 }
 

@@ -16,6 +16,6 @@ struct NumberImage {
 
 /// 8 bits per pixel, or 16 where one of the numbers needs them. Equal masks give equal bytes for one
 /// version of zlib.
-std::string gray_png(const NumberImage& mask);
+std::string gray_png(const NumberImage& image);
 
 }  // namespace wuerfel

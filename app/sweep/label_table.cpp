@@ -51,9 +51,10 @@ std::string npy_of(const Cells& cells) {
   }
   if (all(cells, [](const Json& c) { return c.is_number() || c.is_null(); })) {
     std::vector<double> values;
-    for (const Json& cell : cells)
+    for (const Json& cell : cells) {
       values.push_back(cell.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                       : cell.get<double>());
+    }
     return wuerfel::npy_of(values, {values.size()});
   }
   std::vector<std::string> values;

@@ -60,9 +60,10 @@ class SplitArchives {
 
 void require_all(const Plan& plan, const Journal& journal) {
   const long missing = plan.cases() - static_cast<long>(journal.entries().size());
-  if (missing > 0)
+  if (missing > 0) {
     throw UsageError(fmt::format("{} of {} cases are missing; make them with: wuerfel sweep run {}",
                                  missing, plan.cases(), plan.folder()));
+  }
 }
 
 /// The data set while it grows.

@@ -21,15 +21,18 @@ namespace {
 }
 
 // "a/" is "a".
-fs::path without_slash(fs::path path) { return path.has_filename() ? path : path.parent_path(); }
+fs::path without_slash(const fs::path& path) {
+  return path.has_filename() ? path : path.parent_path();
+}
 
 }  // namespace
 
-NewFolder::NewFolder(fs::path path) : path_(without_slash(std::move(path))) {
+NewFolder::NewFolder(const fs::path& path) : path_(without_slash(path)) {
   std::error_code error;
-  if (fs::exists(path_, error) && !(fs::is_directory(path_, error) && fs::is_empty(path_, error)))
+  if (fs::exists(path_, error) && !(fs::is_directory(path_, error) && fs::is_empty(path_, error))) {
     throw UsageError(
         fmt::format("{} is there already; remove it or take another name", path_.string()));
+  }
   if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
   if (error) fail(path_, error);
   std::string name = path_.string() + ".partial-XXXXXX";

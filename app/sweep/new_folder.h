@@ -12,7 +12,7 @@ class NewFolder {
  public:
   /// Throws UsageError where something of that name is there, and OutputError where it cannot be
   /// made.
-  explicit NewFolder(std::filesystem::path path);
+  explicit NewFolder(const std::filesystem::path& path);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;

@@ -19,22 +19,24 @@ using Json = nlohmann::ordered_json;
 // Of a file that belongs to the plan: exactly the bytes that were written.
 SceneText read_part(const Plan& plan, const std::string& name, const std::string& hash) {
   SceneText text = scene_text(plan.path(name));
-  if (sha256(text.text) != hash)
+  if (sha256(text.text) != hash) {
     throw UsageError(fmt::format("{}: has been changed since the plan was made; make a new plan",
                                  plan.path(name)));
+  }
   return text;
 }
 
 Json read_plan_json(const std::string& folder, const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  Json json = Json::parse(text, nullptr, false);
   const std::string name = folder + "/" + plan_name;
   if (!json.is_object() || !json.contains("format") || !json.contains("version"))
     throw UsageError(fmt::format("{}: is no plan of wuerfel sweep", name));
-  if (json["format"] != plan_format || json["version"] != WUERFEL_VERSION)
+  if (json["format"] != plan_format || json["version"] != WUERFEL_VERSION) {
     throw UsageError(fmt::format(
         "{}: the plan was made by wuerfel {} (format {}), this is {} (format {}): make it anew, or "
         "go on with that program",
         name, json["version"].dump(), json["format"].dump(), WUERFEL_VERSION, plan_format));
+  }
   return json;
 }
 
@@ -52,20 +54,22 @@ PlanCounts counts_of(const Json& json) {
 std::string plan_text(const std::string& folder) {
   const std::string path = folder + "/" + plan_name;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
+  if (!std::filesystem::is_regular_file(path, ignored)) {
     throw UsageError(
         fmt::format("{}: holds no {}; make a plan with: wuerfel sweep plan SWEEP -o {}", folder,
                     plan_name, folder));
+  }
   return scene_text(path).text;
 }
 
 }  // namespace
 
-std::string describe(const Rejected& no) {
+std::string describe(const Rejected& rejected) {
   return fmt::format(
       "{} overlapped, {} had a verdict that is rejected, {} were too near to the edge, {} had a "
       "verdict of which there were enough, {} were there already",
-      no.overlapping, no.verdict, no.margin, no.over_quota, no.duplicate);
+      rejected.overlapping, rejected.verdict, rejected.margin, rejected.over_quota,
+      rejected.duplicate);
 }
 
 SweepText::SweepText(SceneText sweep_file,
@@ -87,9 +91,10 @@ Plan::Plan(std::string folder) : folder_(std::move(folder)) {
     const Json& asked = json.at("cases_asked");
     text_.emplace(read_part(*this, sweep_file_, hashes.at("sweep")), scene,
                   asked.is_null() ? std::nullopt : std::optional<long>(asked));
-    if (sha256_of_file(path(manifest_name)) != hashes.at("manifest"))
+    if (sha256_of_file(path(manifest_name)) != hashes.at("manifest")) {
       throw UsageError(fmt::format("{}: has been changed since the plan was made; make a new plan",
                                    path(manifest_name)));
+    }
   } catch (const Json::exception& error) {
     throw UsageError(fmt::format("{}: is damaged: {}", path(plan_name), error.what()));
   }

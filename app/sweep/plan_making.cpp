@@ -57,9 +57,10 @@ class Judge {
       ++found.drawn;
       judge(found);
     }
-    if (found.id.empty() && design_.redraws())
+    if (found.id.empty() && design_.redraws()) {
       throw UsageError(fmt::format("all {} draws of stratum {} are rejected, the last being {}",
                                    most_attempts, number, text_of(sweep_, found.values)));
+    }
     return found;
   }
 
@@ -216,7 +217,7 @@ PlanCounts make_plan(const SweepText& text,
   NewFolder plan(folder);
   Sha256 digest;
   TextOutput manifest(plan.file(manifest_name));
-  const PlanCounts counts = draw_cases(text.sweep, workforce, [&](const std::string& line) {
+  PlanCounts counts = draw_cases(text.sweep, workforce, [&](const std::string& line) {
     digest.add(line);
     manifest.write(line);
   });

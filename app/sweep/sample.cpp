@@ -19,10 +19,11 @@ using Json = nlohmann::ordered_json;
 Json json_of(const Label& label) {
   return std::visit(
       [](const auto& value) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) {
           return nullptr;
-        else
+        } else {
           return value;
+        }
       },
       label);
 }

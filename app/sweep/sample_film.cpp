@@ -16,9 +16,10 @@ namespace {
 
 std::string temporary_folder() {
   std::string name = (std::filesystem::temp_directory_path() / "wuerfel-film-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr)
+  if (::mkdtemp(name.data()) == nullptr) {
     throw OutputError(
         fmt::format("cannot write {}: {}", name, std::generic_category().message(errno)));
+  }
   return name;
 }
 

@@ -95,9 +95,10 @@ void Journal::read(const std::string& path, const Plan& plan) {
   std::getline(file, line);
   const Json head = Json::parse(line, nullptr, false);
   if (!head.is_object() || file.eof()) return;
-  if (head.value("plan", "") != plan.hash())
+  if (head.value("plan", "") != plan.hash()) {
     throw UsageError(
         fmt::format("{}: belongs to another plan; remove it or take its own plan", path));
+  }
   std::error_code error;
   const std::string archive = archive_of(path);
   const auto size = fs::file_size(archive, error);
@@ -118,10 +119,11 @@ std::string read_sample(const Entry& entry) {
   std::string blocks(entry.length, '\0');
   file.seekg(static_cast<std::streamoff>(entry.offset));
   file.read(blocks.data(), static_cast<std::streamsize>(blocks.size()));
-  if (!file || crc32_of(blocks) != entry.crc32)
+  if (!file || crc32_of(blocks) != entry.crc32) {
     throw UsageError(fmt::format(
         "{}: sample {} is damaged; remove the file and its .jsonl, and run the sweep again",
         entry.archive, entry.id));
+  }
   return blocks;
 }
 

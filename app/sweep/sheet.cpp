@@ -31,7 +31,7 @@ DrawList first_frame(const Scene& scene,
 // "stands 12.5 %": the verdict, and how nearly.
 std::string caption(const Scene& scene) {
   Statics statics(scene);
-  const std::string verdict(to_string(statics.check().verdict));
+  std::string verdict(to_string(statics.check().verdict));
   if (!statics.nearest()) return verdict;
   return fmt::format("{} {:.1f} %", verdict, 100.0 * statics.nearest()->margin);
 }

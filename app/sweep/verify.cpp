@@ -95,9 +95,10 @@ struct Finding {
 Finding compare(const std::string& id, const Files& stored, const std::vector<TapeFile>& made) {
   Finding finding;
   if (stored.empty()) finding.differences.push_back(id + ": is missing");
-  if (stored.size() != made.size() && !stored.empty())
+  if (stored.size() != made.size() && !stored.empty()) {
     finding.differences.push_back(
         fmt::format("{}: has {} files instead of {}", id, stored.size(), made.size()));
+  }
   for (const TapeFile& file : made) {
     const auto found = stored.find(file.name);
     if (found == stored.end()) continue;
@@ -115,7 +116,7 @@ void check_sums(const std::string& folder, std::vector<std::string>& differences
   if (!sums) throw UsageError(fmt::format("{}: holds no {}: it is no data set", folder, sums_name));
   for (std::string line; std::getline(sums, line);) {
     const std::string name = line.substr(std::min(digits + 2, line.size()));
-    const std::string path = folder + "/" + name;
+    const std::string path = fmt::format("{}/{}", folder, name);
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
       differences.push_back(name + ": is missing");

@@ -16,6 +16,7 @@ constexpr double knife_edge = 1e-9;
 
 std::vector<std::string> names_of(const StillScene& still, const std::vector<int>& bodies) {
   std::vector<std::string> names;
+  names.reserve(bodies.size());
   for (const int body : bodies)
     names.push_back(still.system.body(body).name);
   return names;
@@ -95,15 +96,17 @@ std::string moving_part_sentence(const StillScene& still,
                                  const MovingPart& part,
                                  Language language) {
   std::string partners;
-  if (!part.opens.empty())
+  if (!part.opens.empty()) {
     partners = say_in(language, Phrase::parts_from,
                       {{"names", list_in(language, names_of(still, part.opens))}});
+  }
   // What does nothing of the work worth telling is only carried along.
   constexpr double share_told = 0.005;
   std::string work;
-  if (std::abs(part.work_share) >= share_told)
+  if (std::abs(part.work_share) >= share_told) {
     work = say_in(language, part.work_share < 0.0 ? Phrase::takes_work : Phrase::gives_work,
                   {{"share", percent_in(language, std::abs(part.work_share))}});
+  }
   return say_in(language, part.turn != 0 ? Phrase::turns : Phrase::goes,
                 {{"part", part_name(still, part.cubes, part.cubes.front(), language)},
                  {"side", say_in(language, part.turn > 0 ? Phrase::left : Phrase::right)},
@@ -115,9 +118,10 @@ std::string moving_part_sentence(const StillScene& still,
 /// What nothing carries, in one sentence.
 std::string drop_sentence(const StillScene& still, const Causes& causes, Language language) {
   std::vector<int> cubes;
-  for (const Cause& cause : causes.causes)
+  for (const Cause& cause : causes.causes) {
     if (cause.failure == FailureMode::drops)
       cubes.insert(cubes.end(), cause.part.cubes.begin(), cause.part.cubes.end());
+  }
   std::vector<std::string> names = names_of(still, cubes);
   if (names.size() > most_told) {
     const std::string count = std::to_string(names.size() - most_names);
@@ -146,9 +150,10 @@ void tell_causes(const StillScene& still,
       ++told;
     }
   }
-  if (told < others)
+  if (told < others) {
     text.push_back(
         say_in(language, Phrase::more_causes, {{"count", std::to_string(others - told)}}));
+  }
 }
 
 void tell_fall(const Explanation& e, Language language, std::vector<std::string>& text) {

@@ -33,15 +33,14 @@ double nothing(const std::vector<double>& values) {
 /// 1 / scale, so that nothing but 0 passes a scale of 0.
 double inverse(double scale) { return scale > 0.0 ? 1.0 / scale : unbounded; }
 
+/// What of a row its part of the residual depends on, but for the scales.
+struct Row {
+  double force_min, force_max, slack, lambda, norm;
+};
+
 /// One row's part of the residual, under the inverse scales of forces and accelerations.
-void add_row(double force_min,
-             double force_max,
-             double slack,
-             double lambda,
-             double norm,
-             double per_force,
-             double per_acceleration,
-             QpResidual& residual) {
+void add_row(const Row& row, double per_force, double per_acceleration, QpResidual& residual) {
+  const auto& [force_min, force_max, slack, lambda, norm] = row;
   const double outside = std::max({force_min - lambda, lambda - force_max, 0.0});
   if (outside > 0.0) residual.dual = std::max(residual.dual, outside * norm * per_force);
   if (slack == 0.0) return;
@@ -143,8 +142,9 @@ QpResidual ResidualMeter::measure(const QuadraticProgram& program,
   const double per_force = inverse(force);
   const double per_acceleration = inverse(scales_.acceleration);
   for (std::size_t i = 0; i < multiplier.size(); ++i) {
-    add_row(program.force_min[i], program.force_max[i], slack_[i], multiplier[i],
-            scales_.row_norm[i], per_force, per_acceleration, residual);
+    add_row(
+        {program.force_min[i], program.force_max[i], slack_[i], multiplier[i], scales_.row_norm[i]},
+        per_force, per_acceleration, residual);
   }
   return residual;
 }

@@ -189,14 +189,15 @@ class SceneBuilder {
     number = 0;
     for (int i = 0; i < static_cast<int>(entries_.chains.size()); ++i) {
       const ChainEntry& chain = entries_.chains[i];
-      if (chain.link)
-        add_generated(chain, alike(chain.count, chain.link->extent), PlacedBy::chain, nullptr,
-                      chain_name(entries_.chains, i));
+      if (!chain.link) continue;
+      add_generated(chain, alike(chain.count, chain.link->extent), PlacedBy::chain, nullptr,
+                    chain_name(entries_.chains, i));
     }
     number = 0;
-    for (const PileEntry& pile : entries_.piles)
+    for (const PileEntry& pile : entries_.piles) {
       add_generated(pile, alike(pile.count, pile.size.extent), PlacedBy::pile, nullptr,
                     fmt::format("pile{}", ++number));
+    }
   }
 
   void add_points() {

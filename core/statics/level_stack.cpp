@@ -8,7 +8,6 @@
 namespace wuerfel {
 namespace {
 
-constexpr double no_slope = 1e-14;  ///< sine of an angle that rounding leaves
 /// What comes nearer than this share of the smaller side may touch.
 constexpr double near = 1e-6;
 /// Faces that touch over less than this share of the smaller side are corners.
@@ -37,7 +36,7 @@ std::optional<LevelStack> LevelStack::of(const StillScene& still, const Island& 
 
 /// False where it is not level, or the second thing that a cube stands on.
 bool LevelStack::add_contact(const Contact& c) {
-  if (std::abs(det(c.normal, still_->down())) > no_slope) return false;
+  if (!still_->is_level(c.normal)) return false;
   const bool on = c.normal.dot(still_->down()) < 0.0;
   const int above = on ? c.on : c.from;
   const int below = on ? c.from : c.on;

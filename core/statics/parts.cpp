@@ -12,7 +12,6 @@ namespace {
 
 /// A normal with a smaller upward part carries nothing: the side of a neighbour.
 constexpr double upright = 1e-9;
-constexpr double no_slope = 1e-14;  ///< sine of an angle that rounding leaves
 
 /// Who carries whom directly, by number of body; fixed bodies are left out.
 std::vector<std::vector<int>> carried_directly(const StillScene& still, const Island& island) {
@@ -131,9 +130,7 @@ std::optional<LoadRange> PartJudge::between_supports(const Generators& glued) co
     const std::span<const double> J = glued.program.entry(row);
     const Vec2 n(J[0], J[1]);
     const double up = -n.dot(still_->down());
-    if (glued.program.is_equality(row) || std::abs(det(n, still_->down())) > no_slope * n.norm()
-        || up <= 0.0)
-      return std::nullopt;
+    if (glued.program.is_equality(row) || !still_->is_level(n) || up <= 0.0) return std::nullopt;
     const double place = -J[2] / up / turn;
     range.low = std::min(range.low, place);
     range.high = std::max(range.high, place);

@@ -1,6 +1,9 @@
 #include "core/statics/still_scene.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/geometry/vec2.h"
 
 namespace wuerfel {
 
@@ -29,6 +32,11 @@ double StillScene::weight(int cube) const {
 Vec2 StillScene::down() const {
   const double g = system.gravity.norm();
   return g > 0.0 ? Vec2(system.gravity / g) : Vec2(0.0, -1.0);
+}
+
+bool StillScene::is_level(const Vec2& normal) const {
+  constexpr double no_slope = 1e-14;  // sine of an angle that rounding leaves
+  return !(std::abs(det(normal, down())) > no_slope * normal.norm());
 }
 
 StillScene still_scene(const System& system, const State& state, const MotionSettings& settings) {

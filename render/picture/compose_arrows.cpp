@@ -203,9 +203,10 @@ void add_accelerations(const FrameParts& parts, std::vector<PendingArrow>& arrow
     const double turning =
         (std::abs(box.angular_acceleration) + box.spin * box.spin) * 0.5 * box.size.norm();
     if (turning * scale * parts.view.pixels_per_metre < shortest_arrow * parts.unit) continue;
-    for (const Vec2& r : corners_apart(parts, box))
+    for (const Vec2& r : corners_apart(parts, box)) {
       add(box.center + r,
           box.acceleration + box.angular_acceleration * perp(r) - box.spin * box.spin * r);
+    }
   }
 }
 

@@ -201,9 +201,10 @@ void add_names(const FrameParts& parts) {
     for (const auto& [x, y] :
          {std::pair(0.0, 0.0), std::pair(0.0, 0.55), std::pair(0.0, 1.0), std::pair(0.0, -0.55),
           std::pair(0.0, -1.0), std::pair(-1.0, 0.0), std::pair(1.0, 0.0), std::pair(-1.0, 1.0),
-          std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)})
+          std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)}) {
       places.push_back({center.x + static_cast<float>(x * aside - 0.5 * shown),
                         center.y + static_cast<float>(y * down + 0.36 * size)});
+    }
     parts.labels.place(std::move(text), places, parts.font, parts.list);
   }
 }

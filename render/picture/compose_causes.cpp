@@ -48,9 +48,10 @@ void add_part(const FrameParts& parts, const SnapshotCause& cause) {
 /// The outline of a box in dashes.
 void add_moved(const FrameParts& parts, const SnapshotBox& box) {
   const std::array<Vec2, 4> corner = corners(box);
-  for (std::size_t k = 0; k < corner.size(); ++k)
+  for (std::size_t k = 0; k < corner.size(); ++k) {
     add_dashes(parts, corner.at(k), corner.at((k + 1) % corner.size()), moved_outline,
                parts.style.mechanism);
+  }
 }
 
 }  // namespace

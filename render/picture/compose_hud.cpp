@@ -34,13 +34,15 @@ std::string fitted(const FrameParts& parts, const std::string& text, double size
 /// J, of which an energy is a difference: what is far below is the rounding of a sum.
 double energy_at_work(const Snapshot& snapshot) {
   double sum = 0.0;
-  for (const SnapshotBox& box : snapshot.boxes)
+  for (const SnapshotBox& box : snapshot.boxes) {
     sum += box.mass
            * (std::abs(snapshot.gravity.dot(box.center)) + snapshot.gravity.norm() * box.size.norm()
               + 0.5 * box.velocity.squaredNorm());
-  for (const SnapshotMass& mass : snapshot.masses)
+  }
+  for (const SnapshotMass& mass : snapshot.masses) {
     sum += mass.mass
            * (std::abs(snapshot.gravity.dot(mass.position)) + 0.5 * mass.velocity.squaredNorm());
+  }
   return sum;
 }
 
@@ -126,6 +128,21 @@ void add_force_entries(const FrameParts& parts, LegendRow& row) {
     row.ring("impact", color);
 }
 
+void add_rod_entries(const FrameParts& parts, LegendRow& row) {
+  const double full = parts.options.full_rod_force;
+  const std::string most = full > 0.0 ? fmt::format(" to {}", with_prefix(full, "N", 3)) : "";
+  row.swatch("tension" + most, parts.style.tension);
+  row.swatch("compression" + most, parts.style.compression);
+}
+
+void add_cause_entries(const FrameParts& parts, LegendRow& row) {
+  const Legend& legend = parts.options.legend;
+  if (parts.has(Layer::mechanism) && legend.has(LegendEntry::mechanism))
+    row.moved_box("mechanism, not to scale", parts.style.mechanism);
+  if (parts.has(Layer::causes) && legend.has(LegendEntry::cause))
+    row.failing_box("fails by itself", parts.style.cause);
+}
+
 void add_entries(const FrameParts& parts, LegendRow& row) {
   const FrameOptions& options = parts.options;
   row.scale_bar();
@@ -142,20 +159,12 @@ void add_entries(const FrameParts& parts, LegendRow& row) {
   if (parts.has(Layer::thrust)) row.dashes("thrust", parts.style.thrust);
   if (parts.has(Layer::forces) && !is_crowd(parts.snapshot) && shows_paths(options))
     row.swatch("thrust", with_alpha(parts.style.ink, path_alpha));
-  if (parts.has(Layer::mechanism) && options.legend.has(LegendEntry::mechanism))
-    row.moved_box("mechanism, not to scale", parts.style.mechanism);
-  if (parts.has(Layer::causes) && options.legend.has(LegendEntry::cause))
-    row.failing_box("fails by itself", parts.style.cause);
+  add_cause_entries(parts, row);
   if (parts.has(Layer::normals)) row.normal("normal");
   if (parts.has(Layer::sides)) add_side_entries(parts, row);
   if (parts.has(Layer::points) && !parts.snapshot.points.empty())
     row.dot("mass, by area", parts.style.mass);
-  if (parts.has(Layer::rod_forces)) {
-    const double full = options.full_rod_force;
-    const std::string most = full > 0.0 ? fmt::format(" to {}", with_prefix(full, "N", 3)) : "";
-    row.swatch("tension" + most, parts.style.tension);
-    row.swatch("compression" + most, parts.style.compression);
-  }
+  if (parts.has(Layer::rod_forces)) add_rod_entries(parts, row);
 }
 
 LegendRow measured_legend(const FrameParts& parts, double share) {

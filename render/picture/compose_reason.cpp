@@ -64,6 +64,7 @@ void add_fixes(const FrameParts& parts) {
   const std::vector<SnapshotReason::Fix>& fixes = parts.snapshot.reason->fixes;
   std::vector<PendingArrow> arrows;
   std::vector<Pixel> places;
+  places.reserve(fixes.size());
   for (const SnapshotReason::Fix& fix : fixes)
     places.push_back(add_fix(parts, fix, arrows));
   paint_arrows(parts, arrows);

@@ -82,9 +82,10 @@ std::vector<Path> paths_of(const Snapshot& snapshot) {
       continue;
     }
     const Vec2 middle = hub(snapshot.boxes[i], of[i]);
-    for (const auto* side : {&above, &below})
+    for (const auto* side : {&above, &below}) {
       for (const SnapshotJoint* joint : *side)
         paths.push_back({joint->point, middle, joint->force.norm()});
+    }
   }
   return paths;
 }

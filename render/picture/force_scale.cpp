@@ -62,10 +62,11 @@ JointArrow joint_arrow(const Snapshot& snapshot,
   const double full = scale.metres_per_newton * magnitude;
   const Vec2 direction = joint.force / magnitude;
   double length = std::min(full, scale.longest);
-  if (joint.other >= 0 && joint.other < std::ssize(snapshot.boxes))
+  if (joint.other >= 0 && joint.other < std::ssize(snapshot.boxes)) {
     length =
         std::min(length, share_of_pusher
                              * depth_along(snapshot.boxes[joint.other], joint.point, -direction));
+  }
   return {joint.point - length * direction, joint.point, length < full * (1.0 - 1e-6)};
 }
 

@@ -35,9 +35,10 @@ std::vector<Vec2> solid_part(const FrameParts& parts,
 void add_polygon(const FrameParts& parts, const std::vector<Vec2>& corners, Color color) {
   if (corners.size() < 3) return;
   Area around{1e300, 1e300, -1e300, -1e300};
-  for (const Vec2& p : corners)
+  for (const Vec2& p : corners) {
     around = {std::min(around.left, p.x()), std::min(around.top, p.y()),
               std::max(around.right, p.x()), std::max(around.bottom, p.y())};
+  }
   const auto on_edge = [&around](const Vec2& p) {
     constexpr double hair = 1e-6;  // px
     return std::min(p.x() - around.left, around.right - p.x()) < hair
@@ -47,9 +48,10 @@ void add_polygon(const FrameParts& parts, const std::vector<Vec2>& corners, Colo
   const auto pixel = [](const Vec2& p) {
     return Pixel{static_cast<float>(p.x()), static_cast<float>(p.y())};
   };
-  for (std::size_t i = 2; i < corners.size(); ++i)
+  for (std::size_t i = 2; i < corners.size(); ++i) {
     parts.list.add(TriangleShape{pixel(corners[0]), pixel(corners[i - 1]), pixel(corners[i]), 0.0F,
                                  color, color});
+  }
 }
 
 }  // namespace

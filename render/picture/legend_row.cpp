@@ -34,9 +34,10 @@ float LegendRow::middle() const { return static_cast<float>(baseline_ - 0.36 * s
 void LegendRow::paint_plate() const {
   const double left = hud_margin * parts_.unit;
   const double bottom = parts_.view.height - hud_margin * parts_.unit;
-  if (right_ > left)
+  if (right_ > left) {
     add_plate(parts_,
               {left, bottom - (0.76 + row_ * line_height) * size_, right_, bottom + 0.2 * size_});
+  }
 }
 
 template <typename Draw>
@@ -187,10 +188,11 @@ void LegendRow::moved_box(std::string_view meaning, Color color) {
     for (std::size_t k = 0; k < corner.size(); ++k) {
       const Pixel& p = corner.at(k);
       const Pixel& q = corner.at((k + 1) % corner.size());
-      for (const float share : {0.0F, 0.375F, 0.75F})
+      for (const float share : {0.0F, 0.375F, 0.75F}) {
         stroke({p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)},
                {p.x + (share + 0.25F) * (q.x - p.x), p.y + (share + 0.25F) * (q.y - p.y)}, 1.8,
                color);
+      }
     }
   });
 }

@@ -115,6 +115,19 @@ void add_shapes(const DrawList& list,
   });
 }
 
+/// Shapes of one kind that differ, of `count`.
+template <class Shape>
+void add_changed(const Shape* before,
+                 const Shape* after,
+                 std::size_t count,
+                 GrowingRegion& region) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (before[i] == after[i]) continue;
+    region.add(extent(before[i]));
+    region.add(extent(after[i]));
+  }
+}
+
 /// The shapes that differ in two runs of one kind.
 void add_differences(const DrawList& before,
                      const ShapeRun& old_run,
@@ -126,13 +139,8 @@ void add_differences(const DrawList& before,
     using Shapes = std::remove_cvref_t<decltype(shapes)>;
     with_shapes(before, old_run.kind, [&](const auto& old_shapes) {
       if constexpr (std::is_same_v<Shapes, std::remove_cvref_t<decltype(old_shapes)>>) {
-        for (std::size_t i = 0; i < common; ++i) {
-          const auto& was = old_shapes[old_run.first + i];
-          const auto& is = shapes[new_run.first + i];
-          if (was == is) continue;
-          region.add(extent(was));
-          region.add(extent(is));
-        }
+        add_changed(old_shapes.data() + old_run.first, shapes.data() + new_run.first, common,
+                    region);
       }
     });
   });

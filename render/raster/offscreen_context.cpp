@@ -9,7 +9,7 @@
 #include "render/shared_library.h"
 
 // Read by LeakSanitizer at the end of a program that was built with it: Mesa keeps a few hundred
-// bytes of its own. NOLINTNEXTLINE(bugprone-reserved-identifier)
+// bytes of its own. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
 
 namespace wuerfel::internal {
@@ -118,9 +118,10 @@ void OffscreenContext::resize(const Surface& surface, int width, int height) {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, surface.pixels);
   gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw LibraryError("OSMesa cannot draw a picture of " + std::to_string(width) + "x"
                        + std::to_string(height) + " pixels");
+  }
 }
 
 void OffscreenContext::use_canvas(int width, int height) {
@@ -160,9 +161,10 @@ void OffscreenContext::clear(const Region& region, Color color) {
 }
 
 void OffscreenContext::read(const RowSet& rows, Image& image) {
-  for (const RowRange& range : rows.ranges())
+  for (const RowRange& range : rows.ranges()) {
     gl_.ReadPixels(0, range.begin, width_, range.end - range.begin, GL_RGBA, GL_UNSIGNED_BYTE,
                    image.row(range.begin));
+  }
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR)
     throw LibraryError("OpenGL reports error " + std::to_string(error));
 }

@@ -43,7 +43,7 @@ class Renderer::OpenGl {
   RowSet draw(const DrawList& list) {
     context_.use_canvas(list.width, list.height);
     const internal::Region region = region_to_draw(list);
-    const RowSet rows = changed_rows(list, region);
+    RowSet rows = changed_rows(list, region);
     last_.reset();
     clear(list, region);
     const internal::GlFunctions& gl = context_.gl();
@@ -155,17 +155,19 @@ RowSet Renderer::draw(const DrawList& list, Image& image, const std::optional<Ro
     fill_exactly(list, image);
     return all;
   }
-  const RowSet changed = gl_->draw(list);
+  RowSet changed = gl_->draw(list);
   RowSet rows = is_new || !stale ? all : *stale;
   rows.add(changed);
   add_rows_of_texts(list, rows);
   gl_->read(rows, image);
-  for (const TextShape& text : list.texts)
+  for (const TextShape& text : list.texts) {
     if (rows.touches(internal::rows_of(text, list.height)))
       internal::blend_text(text, font_, image);
-  if (list.background.a != 255)
+  }
+  if (list.background.a != 255) {
     for (const RowRange& range : rows.ranges())
       undo_premultiplication(range, image);
+  }
   return changed;
 }
 

@@ -109,9 +109,10 @@ void SvgWriter::add(const DrawList& list, int x, int y, const std::string& prefi
       "<g transform=\"translate({4} {5})\" clip-path=\"url(#{0}clip{1})\">\n",
       prefix, clips_, list.width, list.height, x, y);
   ++clips_;
-  if (list.background.a > 0)
+  if (list.background.a > 0) {
     svg_ += fmt::format("<rect class=\"background\" width=\"{}\" height=\"{}\"{}/>\n", list.width,
                         list.height, paint("fill", list.background));
+  }
   auto group = list.groups.begin();
   std::size_t shape = 0;
   for (const ShapeRun& run : list.runs) {
@@ -184,9 +185,10 @@ void SvgWriter::add(const BoxShape& box, int body) {
 
 void SvgWriter::add(const ArrowShape& arrow) {
   svg_ += fmt::format("<path d=\"{}\"{}", polygon(outline(arrow)), paint("fill", arrow.color));
-  if (arrow.grow > 0.0F)
+  if (arrow.grow > 0.0F) {
     svg_ += paint("stroke", arrow.color)
             + fmt::format(" stroke-width=\"{}\"", number(2.0 * static_cast<double>(arrow.grow)));
+  }
   svg_ += "/>\n";
 }
 
@@ -255,10 +257,11 @@ void SvgWriter::add(const TextShape& text) {
   svg_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}", number(point(text.baseline).x),
                       number(point(text.baseline).y), number(static_cast<double>(text.size)),
                       paint("fill", text.color));
-  if (text.halo_width > 0.0F && text.halo.a > 0)
+  if (text.halo_width > 0.0F && text.halo.a > 0) {
     svg_ += paint("stroke", text.halo)
             + fmt::format(" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
                           number(2.0 * static_cast<double>(text.halo_width)));
+  }
   svg_ += fmt::format(">{}</text>\n", xml_escaped(text.text));
 }
 

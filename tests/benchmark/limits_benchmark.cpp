@@ -98,13 +98,13 @@ struct Rows {
 };
 
 void couple(const QuadraticProgram& program, std::vector<int>& start, std::vector<int>& neighbour) {
-  std::vector<std::vector<int>> near(static_cast<std::size_t>(program.blocks()));
-  for (std::size_t i = 0; i + 1 < program.row_start.size(); ++i) {
-    for (int a = program.row_start[i]; a < program.row_start[i + 1]; ++a) {
-      for (int b = program.row_start[i]; b < program.row_start[i + 1]; ++b) {
-        const auto at = [&](int e) { return program.entry_block[static_cast<std::size_t>(e)]; };
-        if (a != b) near[static_cast<std::size_t>(at(a))].push_back(at(b));
-      }
+  std::vector<std::vector<int>> near(program.blocks());
+  for (int row = 0; row < program.rows(); ++row) {
+    const auto first = program.entry_block.begin() + program.row_start[row];
+    const auto last = program.entry_block.begin() + program.row_start[row + 1];
+    for (auto a = first; a != last; ++a) {
+      for (auto b = first; b != last; ++b)
+        if (a != b) near[*a].push_back(*b);
     }
   }
   start.assign(1, 0);
@@ -219,9 +219,10 @@ void print_certificate(const Machine& machine) {
 
 void print_deflate(const Machine& machine) {
   Image image(1280, 720);
-  for (int y = 0; y < image.height(); ++y)
+  for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x)
       if ((x / 160 + y / 120) % 3 == 0) image.set(x, y, {0, 114, 178, 255});
+  }
   ImageCompressor compressor;
   CompressedImage compressed;
   const double seconds =

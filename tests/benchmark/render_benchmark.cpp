@@ -146,8 +146,10 @@ void png_libpng_grid(benchmark::State& state) { png(state, PngEncoder::libpng, g
 /// Frames per second from snapshots to PNG files in memory and, where asked for, to a film.
 void pipeline(benchmark::State& state, const std::string& film, PngEncoder encoder, bool moving) {
   const FrameOptions options = options_with(moving);
+  const int count = moving ? clip_frames : 20 * clip_frames;
   std::vector<Snapshot> snapshots;
-  for (int k = 0; k < (moving ? clip_frames : 20 * clip_frames); ++k)
+  snapshots.reserve(count);
+  for (int k = 0; k < count; ++k)
     snapshots.push_back(clip(moving ? k : 0));
   const View view = view_of({clip(0), clip(clip_frames)}, options);
   AnimationSettings settings;

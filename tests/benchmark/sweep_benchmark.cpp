@@ -67,6 +67,7 @@ void measure(const std::string& folder, int repeats) {
   const Plan plan(folder);
   const std::vector<Case> cases = cases_of(plan);
   std::vector<Scene> scenes;
+  scenes.reserve(cases.size());
   for (const Case& one : cases)
     scenes.push_back(scene_of(plan.sweep(), one.values));
   Cost bare;

@@ -46,9 +46,10 @@ QuadraticProgram program_of(Bytes& bytes) {
     bytes.next() % 4 == 0 ? program.add_equality(bytes.number())
                           : program.add_inequality(bytes.number());
     const int first = bytes.next() % blocks;
-    for (int block = first; block < std::min(blocks, first + 2); ++block)
+    for (int block = first; block < std::min(blocks, first + 2); ++block) {
       program.add_entry(block,
                         std::array<double, 3>{bytes.number(), bytes.number(), bytes.number()});
+    }
   }
   return program;
 }

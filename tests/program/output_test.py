@@ -136,7 +136,7 @@ class Films(ProgramTest):
         self.assertEqual((s["cost"]["frames"], len(self.files("f")), self.probe("f.mp4")["nb_read_frames"]), (3, 3, "3"))
 
     def test_a_missing_ffmpeg_is_noticed_before_the_work(self):
-        done = self.expect(5, "run", self.scene(FLYING), "-o", "f.mp4", "-o", "f/", "--until", "10000",
+        done = self.expect(5, "run", self.scene(FLYING), "-o", "f.mp4", "-o", "f/", "--until", "100000",
                            env={**os.environ, "PATH": self.folder}, timeout=20)
         self.assertIn("ffmpeg", done.stderr)
         self.assertEqual(self.files(), ["scene.json"])

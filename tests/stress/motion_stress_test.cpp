@@ -77,8 +77,8 @@ TEST(Gallery, AnExactlyFittingBinHoldsItsSquares) {
   scene.fixed.push_back({"left", {1.0, 6.0}, {-0.5, 3.0}, 0.0, {}});
   scene.fixed.push_back({"right", {1.0, 6.0}, {3.5, 3.0}, 0.0, {}});
   for (int i = 0; i < 9; ++i) {
-    scene.cubes.push_back(
-        cube("c" + std::to_string(i), {0.5 + i % 3, 0.5 + 1.001 * static_cast<double>(i / 3)}));
+    const int row = i / 3;
+    scene.cubes.push_back(cube("c" + std::to_string(i), {0.5 + i % 3, 0.5 + 1.001 * row}));
   }
   run_and_check(scene, 1.0);
 }
@@ -138,9 +138,10 @@ Scene some_motion(double scale = 1.0, const Vec2& shift = Vec2::Zero(), bool mir
     return Vec2(m * x * scale, y * scale) + shift;
   };
   scene.planes.push_back({"floor", shift, Vec2::UnitY(), {}});
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i) {
     scene.cubes.push_back(
         sized_cube("c" + std::to_string(i), at(0.375 * i, 0.5 + i), {scale, scale}));
+  }
   scene.cubes.push_back(sized_cube("drop", at(3.0, 2.0), {scale, scale}));
   scene.cubes[3].angle = m * 0.25;
   return scene;

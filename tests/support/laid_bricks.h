@@ -50,6 +50,15 @@ void lay_tower(Builder& builder, int count) {
   }
 }
 
+/// Between the bricks of a layer.
+template <class Builder>
+void add_joints(Builder& builder, const std::vector<Brick>& bricks, int layer) {
+  for (std::size_t k = 0; k + 1 < bricks.size(); ++k) {
+    for (const double y : {layer + 0.0, layer + 1.0})
+      builder.add_contact(bricks[k + 1].body, bricks[k].body, bricks[k].right, y, 1.0, 0.0);
+  }
+}
+
 template <class Builder>
 void lay_wall(Builder& builder, int layers, int columns) {
   std::vector<Brick> below{{ground, -1e9, 1e9}};
@@ -65,10 +74,7 @@ void lay_wall(Builder& builder, int layers, int columns) {
       add(2.0 * k + (whole ? 0.0 : 1.0), 2.0 * k + (whole ? 2.0 : 3.0));
     if (!whole) add(2.0 * columns - 1.0, 2.0 * columns);
     add_beds(builder, bricks, below, layer);
-    for (std::size_t k = 0; k + 1 < bricks.size(); ++k) {
-      for (const double y : {layer + 0.0, layer + 1.0})
-        builder.add_contact(bricks[k + 1].body, bricks[k].body, bricks[k].right, y, 1.0, 0.0);
-    }
+    add_joints(builder, bricks, layer);
     below = bricks;
   }
 }

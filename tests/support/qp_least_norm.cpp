@@ -9,7 +9,7 @@
 #include "core/qp/residual_meter.h"
 #include "tests/support/qp_non_negative_least_squares.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 using Eigen::Index;
@@ -155,20 +155,37 @@ VectorXd least_distance(const HalfSpaces& h, double scale) {
   return found ? w : VectorXd::Zero(k);
 }
 
+constexpr double small = 1e-8;
+
+std::vector<Index> at_bound(const HalfSpaces& h, const VectorXd& w, double near) {
+  std::vector<Index> found;
+  for (Index i = 0; i < h.a.rows(); ++i)
+    if (h.a.row(i) * w - h.c[i] <= near && h.a.row(i).norm() > small) found.push_back(i);
+  return found;
+}
+
+/// Those of the directions of a set along which none of the half spaces that are held is left.
+MatrixXd free_directions(const SolutionSet& set,
+                         const HalfSpaces& h,
+                         const std::vector<Index>& held) {
+  if (held.empty() || set.directions.cols() == 0) return set.directions;
+  const MatrixXd a = h.a(held, Eigen::all);
+  const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeFullV);
+  const Index rank = (svd.singularValues().array() > small * svd.singularValues()[0]).count();
+  return set.directions * svd.matrixV().rightCols(set.directions.cols() - rank);
+}
+
 /// Whether l_i is the same over all solutions. From a solution, rows at a bound are either held
 /// there by the others (a non-negative combination of them vanishes) or some direction lets them
 /// leave; NNLS finds one or the other. What remains free spans all possible changes.
 std::vector<bool> find_unique(const ForceBalance& balance,
                               const VectorXd& l,
                               double rank_tolerance) {
-  constexpr double small = 1e-8;
   const SolutionSet set = solution_set(balance.A, balance.r, rank_tolerance);
   const HalfSpaces h = half_spaces(set, balance.lower, balance.upper);
   const VectorXd w = set.directions.transpose() * (l - set.particular);
   const double scale = l.size() > 0 ? l.cwiseAbs().maxCoeff() : 0.0;
-  std::vector<Index> open;  // half spaces at their bound, not yet decided
-  for (Index i = 0; i < h.a.rows(); ++i)
-    if (h.a.row(i) * w - h.c[i] <= small * scale && h.a.row(i).norm() > small) open.push_back(i);
+  std::vector<Index> open = at_bound(h, w, small * scale);  // not yet decided
   std::vector<Index> held;
   while (!open.empty()) {
     const MatrixXd all = h.a(open, Eigen::all).transpose();
@@ -185,13 +202,7 @@ std::vector<bool> find_unique(const ForceBalance& balance,
     }
     open = rest;
   }
-  MatrixXd free = set.directions;
-  if (!held.empty() && free.cols() > 0) {
-    const MatrixXd a = h.a(held, Eigen::all);
-    const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeFullV);
-    const Index rank = (svd.singularValues().array() > small * svd.singularValues()[0]).count();
-    free = set.directions * svd.matrixV().rightCols(free.cols() - rank);
-  }
+  const MatrixXd free = free_directions(set, h, held);
   std::vector<bool> unique(set.particular.size());
   for (Index i = 0; i < set.particular.size(); ++i)
     unique[i] = free.cols() == 0 || free.row(i).norm() <= small;
@@ -267,4 +278,4 @@ LeastNormMultipliers least_norm_multipliers(const QuadraticProgram& program,
   return result;
 }
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

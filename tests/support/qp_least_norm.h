@@ -10,7 +10,7 @@
 
 #include "core/qp/methods/canonical_multipliers.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 
 struct LeastNormSettings {
   double tight = 1e-9;  ///< a row is tight if its slack is at most this, relative as in QpResidual
@@ -28,4 +28,4 @@ LeastNormMultipliers least_norm_multipliers(const QuadraticProgram& program,
                                             std::span<const double> weight = {},
                                             const LeastNormSettings& settings = {});
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

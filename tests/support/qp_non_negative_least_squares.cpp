@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 using Eigen::Index;
@@ -101,4 +101,4 @@ VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& f, double
   return passive.u();
 }
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

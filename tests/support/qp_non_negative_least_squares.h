@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-namespace wuerfel {
+namespace wuerfel::test {
 
 /// argmin |A u - f| subject to u >= 0 by the finite method of Lawson and Hanson, Solving Least
 /// Squares Problems (1974), chapter 23. `tolerance` is relative to |column| |f|: a column whose
@@ -12,4 +12,4 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A,
                                            const Eigen::VectorXd& f,
                                            double tolerance = 1e-13);
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -53,6 +53,7 @@ inline Scene on_floor(std::vector<SceneCube> cubes) {
 /// Unit cubes one on the other, every second one shifted by 0.1 m.
 inline std::vector<SceneCube> tower(int count) {
   std::vector<SceneCube> cubes;
+  cubes.reserve(count);
   for (int i = 0; i < count; ++i)
     cubes.push_back(cube("t" + std::to_string(i), {0.1 * (i % 2), 0.5 + i}));
   return cubes;
@@ -61,6 +62,7 @@ inline std::vector<SceneCube> tower(int count) {
 /// Unit cubes one on the other, each shifted by `lean` m.
 inline std::vector<SceneCube> leaning_tower(int count, double lean) {
   std::vector<SceneCube> cubes;
+  cubes.reserve(count);
   for (int i = 0; i < count; ++i)
     cubes.push_back(cube("c" + std::to_string(i), {lean * i, 0.5 + i}));
   return cubes;

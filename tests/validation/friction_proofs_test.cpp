@@ -156,10 +156,11 @@ TEST(FrictionLimits, HardlyAnyIsNone) {
       EXPECT_NEAR(a.angular, b.angular, tolerance * g) << name;
     }
     ASSERT_EQ(none.contacts.size(), little.contacts.size());
-    for (std::size_t k = 0; k < none.contacts.size(); ++k)
+    for (std::size_t k = 0; k < none.contacts.size(); ++k) {
       EXPECT_NEAR(none.contacts[k].force, little.contacts[k].force,
                   balance_tolerance * reference.weight())
           << name;
+    }
   }
 }
 

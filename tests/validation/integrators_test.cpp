@@ -119,7 +119,7 @@ TEST(Integrators, SteppingComesToTheEventDrivenMotion) {
   // A slide off a table; the collapse of a leaning tower while its cubes roll over one another.
   struct Case {
     Scene scene;
-    double t;
+    double t = 0.0;
   };
   Scene table = on_floor({cube("a", {0.0, 1.5})});
   table.cubes[0].velocity = {1.0, 0.0};
@@ -165,9 +165,7 @@ TEST(Integrators, FreeFlightIsExact) {
 }
 
 TEST(Integrators, TenHoursOfRestDriftByNothing) {
-  std::vector<SceneCube> cubes;
-  for (int i = 0; i < 10; ++i)
-    cubes.push_back(cube("c" + std::to_string(i), {0.1 * (i % 2), 0.5 + i}));
+  const std::vector<SceneCube> cubes = tower(10);
   const Scene scene = on_floor(cubes);
   Simulation simulation(scene, {});
   simulation.advance_to(36000.0);

@@ -62,9 +62,10 @@ TEST(Stepping, WhatSlidesOverSeamsKeepsItsVelocity) {
   for (const double height : {0.1, 0.5, 4.0}) {
     for (const double speed : {0.5, 3.0, 30.0}) {
       Scene scene;
-      for (int i = 0; i < 12; ++i)
+      for (int i = 0; i < 12; ++i) {
         scene.fixed.push_back(
             {"tile" + std::to_string(i), {0.5, height}, {0.5 * i, -0.5 * height}, 0.0, {}});
+      }
       SceneCube cube;
       cube.name = "slider";
       cube.size = {0.25, 0.25};
@@ -89,7 +90,8 @@ TEST(Stepping, CrowdsInSpaceKeepTheirMomentumAndTurning) {
     cube.name = "c" + std::to_string(k);
     cube.size = {0.35, 0.35};
     cube.mass = k % 3 == 0 ? 3.0 : 1.0;
-    cube.position = {0.8 * (k % 6), 0.8 * (k / 6)};
+    const int row = k / 6;
+    cube.position = {0.8 * (k % 6), 0.8 * row};
     cube.velocity = {-0.5 * (cube.position.x() - 2.0), -0.5 * (cube.position.y() - 1.7)};
     cube.angle = 0.37 * k;
     cube.spin = (k % 5) - 2.0;

@@ -124,14 +124,15 @@ void LeastDistance::plan() {
 void LeastDistance::find_graph() {
   graph_start_.assign(blocks_ + 1, 0);
   const auto for_all_couplings = [&](auto&& visit) {
+    const auto three = [this](int part) {
+      return entry_block_[part / parts_] * parts_ + part % parts_;
+    };
     for (int row = 0; row < rows_; ++row) {
-      for (int a = row_start_[row] * parts_; a < row_start_[row + 1] * parts_; ++a) {
-        for (int b = row_start_[row] * parts_; b < row_start_[row + 1] * parts_; ++b) {
-          if (a != b) {
-            visit(entry_block_[a / parts_] * parts_ + a % parts_,
-                  entry_block_[b / parts_] * parts_ + b % parts_);
-          }
-        }
+      const int first = row_start_[row] * parts_;
+      const int last = row_start_[row + 1] * parts_;
+      for (int a = first; a < last; ++a) {
+        for (int b = first; b < last; ++b)
+          if (a != b) visit(three(a), three(b));
       }
     }
   };

@@ -158,7 +158,7 @@ WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
         z[c] -= (U[c].v[0] * x[0] + U[c].v[1] * x[1]) + U[c].v[2] * x[2];
     }
     const Quad* X = inverse_.data() + 3 * j;
-    Quad x;
+    Quad x{};
     for (int r = 0; r < 4; ++r)
       x.v[r] = (X[0].v[r] * z[0] + X[1].v[r] * z[1]) + X[2].v[r] * z[2];
     v[j] = x;

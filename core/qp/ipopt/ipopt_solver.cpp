@@ -24,7 +24,8 @@ std::string own_folder() {
 OpenIpopt find_module(std::string& trouble) {
   const std::string file = ipopt_module_file;
   const std::string folder = own_folder();
-  for (const std::string& path : std::array{folder + file, folder + "../lib/" + file, file}) {
+  const std::array paths{folder + file, folder + "../lib/" + file, file};
+  for (const std::string& path : paths) {
     void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (module == nullptr) {
       trouble = dlerror();

@@ -86,9 +86,10 @@ void ActiveSetMethod::refine(const QuadraticProgram& program, QpResult& result) 
   }
   solver_.factorise(program, &loaded_);
   solver_.refine(program, refined_.x, refined_.multiplier);
-  for (int row = 0; row < program.rows(); ++row)
+  for (int row = 0; row < program.rows(); ++row) {
     refined_.multiplier[row] =
         std::clamp(refined_.multiplier[row], program.force_min[row], program.force_max[row]);
+  }
   refined_.residual = meter_.measure(program, refined_.x, refined_.multiplier);
   // A better balance of single bodies is no reason to miss the program.
   const double allowed = std::max(result.residual.worst(), refined_residual);

@@ -192,8 +192,12 @@ bool CanonicalMultipliers::mark_dependent(std::vector<char>& dependent) {
     }
     for (int round = 0; round < projection_rounds && project() > 1e-3 * no_part; ++round) {
     }
-    for (int i = 0; i < rows; ++i)
-      if (std::abs(v_[i]) > no_part) dependent[i] = any = true;
+    for (int i = 0; i < rows; ++i) {
+      if (std::abs(v_[i]) > no_part) {
+        dependent[i] = 1;
+        any = true;
+      }
+    }
   }
   return any;
 }

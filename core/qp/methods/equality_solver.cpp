@@ -6,6 +6,7 @@
 #include "core/qp/block/clones.h"
 #include "core/qp/block/column.h"
 #include "core/qp/methods/few_rows.h"
+#include "core/qp/methods/row_order.h"
 
 namespace wuerfel {
 namespace {
@@ -54,55 +55,19 @@ void add_push(const QuadraticProgram& p, int row, double factor, double* x) {
 
 }  // namespace
 
-/// Reverse Cuthill-McKee order of the rows [George, Liu 1981, ch. 4]: neighbours, which share a
-/// block, get numbers close to each other. `rows_of_block` and the order are in numbers of `row_`.
-void EqualitySolver::find_order(const std::vector<std::vector<int>>& rows_of_block) {
-  std::vector<int> degree(row_.size(), 0);
-  for (const std::vector<int>& sharing : rows_of_block) {
-    for (const int i : sharing)
-      degree[i] += static_cast<int>(sharing.size());
-  }
-  const auto before = [&](int a, int b) {
-    return degree[a] != degree[b] ? degree[a] < degree[b] : a < b;
-  };
-  std::vector<char> seen(row_.size(), 0);
-  // Rows reached from `start`, level by level, appended to `order`.
-  const auto walk = [&](int start, std::vector<int>& order) {
-    std::size_t next = order.size();
-    order.push_back(start);
-    seen[start] = 1;
-    while (next < order.size()) {
-      const int row = row_[order[next++]];
-      const auto first = static_cast<std::ptrdiff_t>(order.size());
-      for (int e = row_start_[row]; e < row_start_[row + 1]; ++e) {
-        for (const int other : rows_of_block[entry_block_[e]]) {
-          if (seen[other] != 0) continue;
-          seen[other] = 1;
-          order.push_back(other);
-        }
-      }
-      std::sort(order.begin() + first, order.end(), before);
-    }
-  };
-  order_.clear();
-  std::vector<int> far;
-  for (int i = 0; i < static_cast<int>(row_.size()); ++i) {
-    if (seen[i] != 0) continue;
-    // The last row that is reached is a good end to begin from.
-    far.clear();
-    walk(i, far);
-    for (const int reached : far)
-      seen[reached] = 0;
-    walk(far.back(), order_);
-  }
-  std::ranges::reverse(order_);
-  for (int& i : order_)
-    i = row_[i];
-}
-
 bool EqualitySolver::fits(const QuadraticProgram& p, const std::vector<char>* tight) const {
   const bool same_tight = tight != nullptr ? tight_ == *tight : tight_.empty();
   return same_tight && row_start_ == p.row_start && entry_block_ == p.entry_block;
+}
+
+/// Of the rows at the places i and j of the order.
+void EqualitySolver::add_couplings(int i, int j) {
+  for (int e = row_start_[order_[i]]; e < row_start_[order_[i] + 1]; ++e) {
+    for (int f = row_start_[order_[j]]; f < row_start_[order_[j] + 1]; ++f) {
+      if (entry_block_[e] == entry_block_[f])
+        couplings_.push_back({place(i, j), entry_block_[e], e, f});
+    }
+  }
 }
 
 /// The whole lower triangle, for few rows: there is nothing to be saved by an order.
@@ -115,13 +80,8 @@ void EqualitySolver::fill_triangle() {
   start_.resize(rows);
   for (int i = 0; i < rows; ++i) {
     start_[i] = i * (i + 1) / 2;
-    for (int j = 0; j <= i; ++j) {
-      for (int e = row_start_[row_[i]]; e < row_start_[row_[i] + 1]; ++e) {
-        for (int f = row_start_[row_[j]]; f < row_start_[row_[j] + 1]; ++f)
-          if (entry_block_[e] == entry_block_[f])
-            couplings_.push_back({place(i, j), entry_block_[e], e, f});
-      }
-    }
+    for (int j = 0; j <= i; ++j)
+      add_couplings(i, j);
   }
   factor_.resize(rows * (rows + 1) / 2);
   inverse_.resize(rows);
@@ -135,7 +95,7 @@ void EqualitySolver::find_envelope() {
     for (int e = row_start_[row_[i]]; e < row_start_[row_[i] + 1]; ++e)
       rows_of_block[entry_block_[e]].push_back(i);
   }
-  find_order(rows_of_block);
+  find_row_order({row_, row_start_, entry_block_, rows_of_block}, order_);
   /// An entry on a block, of the row at place i of the order.
   struct Entry {
     int i, entry;

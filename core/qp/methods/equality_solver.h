@@ -51,7 +51,7 @@ class EqualitySolver {
     int entry_j = 0;
   };
   [[nodiscard]] bool fits(const QuadraticProgram& program, const std::vector<char>* tight) const;
-  void find_order(const std::vector<std::vector<int>>& rows_of_block);
+  void add_couplings(int i, int j);
   void fill_triangle();
   void find_envelope();
   void assemble(const QuadraticProgram& program);

@@ -133,12 +133,12 @@ void InteriorPointMethod::start(const LeastDistance& problem, bool warm) {
     // smaller for it.
     const double open = warm || is_finite(range.high) ? gap : std::max(gap, -problem.h()[i]);
     const double first = size / norm * (gap / open);
-    lambda[i] = free                   ? inside(range, warm ? lambda[i] : 0.0, first)
-                : is_finite(range.low) ? range.low
-                                       : 0.0;
-    p[i] = free && is_finite(range.low) ? std::max(open, warm ? p[i] : 0.0) : 0.0;
-    q[i] = free && is_finite(range.high) ? std::max(gap, warm ? q[i] : 0.0) : 0.0;
-    count_ += (p[i] > 0.0 ? 1 : 0) + (q[i] > 0.0 ? 1 : 0);
+    const auto known = [warm](double value) { return warm ? value : 0.0; };
+    const bool below = is_finite(range.low);
+    lambda[i] = free ? inside(range, known(lambda[i]), first) : below ? range.low : 0.0;
+    p[i] = free && below ? std::max(open, known(p[i])) : 0.0;
+    q[i] = free && is_finite(range.high) ? std::max(gap, known(q[i])) : 0.0;
+    count_ += static_cast<int>(p[i] > 0.0) + static_cast<int>(q[i] > 0.0);
   }
   find_rest(problem);
 }

@@ -20,6 +20,11 @@ constexpr int most_lost = 3;  ///< steps on the same rows that halve nothing
 constexpr int most_newton_steps = 300;
 constexpr int most_factorisations = 100;
 
+/// Just after the start of a step that changes a value at `rate`, `low` above its least and `high` below its largest.
+bool is_inside_after(double low, double high, double rate) {
+  return (low > 0.0 || (low == 0.0 && rate > 0.0)) && (high > 0.0 || (high == 0.0 && rate < 0.0));
+}
+
 }  // namespace
 
 LeastNormOutcome LeastNormMethod::run(LeastDistance& problem,
@@ -32,16 +37,11 @@ LeastNormOutcome LeastNormMethod::run(LeastDistance& problem,
   int lost = 0;
   for (int step = 0; step < most_newton_steps; ++step) {
     find_direction(problem);
-    const double length = step == 0 ? 1.0 : line_search(problem);
-    for (std::size_t i = 0; i < at_.raw.size(); ++i)
-      at_.raw[i] += length * step_.Gd[i];
+    move(step == 0 ? 1.0 : line_search(problem));
     evaluate(problem, target);
     find_scales(problem, weight);
     lost = at_.misfit > halved * best ? lost + 1 : 0;
-    if (at_.misfit < best) {
-      best = at_.misfit;
-      best_ = at_.lambda;
-    }
+    keep_better(best);
     if (best <= exact_misfit) break;
     const bool changed = find_active(problem);
     if (lost >= most_lost && best <= good_misfit) break;
@@ -55,6 +55,17 @@ LeastNormOutcome LeastNormMethod::run(LeastDistance& problem,
     factorise(problem);
   }
   return {best, factorisations_};
+}
+
+void LeastNormMethod::keep_better(double& best) {
+  if (!(at_.misfit < best)) return;
+  best = at_.misfit;
+  best_ = at_.lambda;
+}
+
+void LeastNormMethod::move(double length) {
+  for (std::size_t i = 0; i < at_.raw.size(); ++i)
+    at_.raw[i] += length * step_.Gd[i];
 }
 
 /// z = 0, with all rows taken to be inside of their ranges.
@@ -151,16 +162,12 @@ double LeastNormMethod::line_search(const LeastDistance& problem) {
   for (std::size_t i = 0; i < at_.raw.size(); ++i) {
     const double rate = step_.Gd[i];
     if (rate == 0.0) continue;
-    bool inside = true;
     for (const double bound : {problem.force_min()[i], problem.force_max()[i]}) {
       const double at = (bound - at_.raw[i]) / rate;
       if (at > 0.0 && at < 1.0) breakpoints_.emplace_back(at, static_cast<int>(i));
     }
-    // Inside just after the start of the step.
-    const double low = at_.raw[i] - problem.force_min()[i];
-    const double high = problem.force_max()[i] - at_.raw[i];
-    inside =
-        (low > 0.0 || (low == 0.0 && rate > 0.0)) && (high > 0.0 || (high == 0.0 && rate < 0.0));
+    const bool inside = is_inside_after(at_.raw[i] - problem.force_min()[i],
+                                        problem.force_max()[i] - at_.raw[i], rate);
     active_weight_[i] = inside ? 1.0 : 0.0;
     if (inside) dual.curvature += rate * rate;
   }

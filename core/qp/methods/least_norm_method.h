@@ -52,6 +52,8 @@ class LeastNormMethod {
   bool find_active(const LeastDistance& problem);
   void factorise(LeastDistance& problem);
   void find_direction(LeastDistance& problem);
+  void move(double length);
+  void keep_better(double& best);
   double line_search(const LeastDistance& problem);
 
   double rho_ = 0.0;

@@ -206,9 +206,10 @@ void combine(std::span<const Term> terms,
              std::vector<double>& result) {
   result.resize(y.size());
   std::size_t i = 0;
-  for (; i + width <= y.size(); i += width)
+  for (; i + width <= y.size(); i += width) {
     Eigen::Map<Part>(result.data() + i) =
         Eigen::Map<const Part>(y.data() + i) + h * sums(terms, k, i);
+  }
   for (; i < y.size(); ++i)
     result[i] = y[i] + h * sum(terms, k, i);
 }

@@ -110,10 +110,9 @@ void ActiveRestrictions::jam(GridPoint& point,
 /// Velocities that count as zero become zero, so that rest can be certified.
 void ActiveRestrictions::settle(const Island& island, State& state) const {
   for (const int cube : island.cubes) {
-    const BodyState& s = state[cube];
-    const double side = system_->body(cube).size.minCoeff();
-    const double zero = rate_tolerance * std::sqrt(system_->gravity.norm() * side);
-    if (s.velocity.norm() + side * std::abs(s.spin) > zero) return;
+    const Body& body = system_->body(cube);
+    const double zero = rate_tolerance * std::sqrt(system_->gravity.norm() * body.size.minCoeff());
+    if (fastest_corner(body, state[cube]) > zero) return;
   }
   set_velocities(island, std::vector<Twist>(island.cubes.size()), state);
 }

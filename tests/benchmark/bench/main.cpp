@@ -19,7 +19,7 @@
 
 namespace {
 
-using namespace wuerfel;  // NOLINT(google-build-using-namespace): main is a name of no namespace
+using namespace wuerfel;
 
 struct BenchOptions {
   std::vector<std::string> scenes;   ///< none: all
@@ -73,9 +73,10 @@ std::vector<BenchScene> chosen_scenes(std::vector<std::string> names) {
 std::vector<Job> plan(const std::vector<BenchScene>& scenes,
                       const std::vector<std::string>& names) {
   std::vector<BenchMethod> methods;
-  for (const std::string& name : names)
+  for (const std::string& name : names) {
     for (const BenchMethod& method : parse_bench_methods(name))
       methods.push_back(method);
+  }
   if (names.empty()) methods = bench_methods();
   std::vector<Job> jobs;
   for (std::size_t k = 0; k < scenes.size(); ++k) {

@@ -64,9 +64,10 @@ bool run_for_figures(const BenchScene& scene, const MotionSettings& settings, Be
   row.solves = cost.qp_solves;
   row.skips = cost.qp_skipped();
   row.status = status_text(audit);
-  if (!arrived)
+  if (!arrived) {
     row.status = fmt::format("at t = {:.3g} s after {:.3g} s of work", simulation.time(),
                              processor_seconds() - start);
+  }
   return arrived;
 }
 

@@ -54,10 +54,11 @@ std::vector<BenchMethod> bench_methods() {
 
 std::vector<BenchMethod> parse_bench_methods(std::string_view text) {
   const std::vector<std::string> names = parts(text);
-  if (names.size() > 3)
+  if (names.size() > 3) {
     throw UsageError(fmt::format(
         "--methods: '{}' is not INTEGRATOR[/FORMULATION[/SOLVER]], such as event/rigid/newton",
         text));
+  }
   BenchMethod named;
   named.integrator = parse_choice<Integrator>("--methods", names[0]);
   if (names.size() > 1) named.formulation = parse_choice<Formulation>("--methods", names[1]);
@@ -84,9 +85,10 @@ bool suits(const BenchMethod& method, const BenchScene& scene) {
     return cubes <= most_cubes_for_slow && (has_tolerance(method.integrator) || !scene.rests);
   if (method.solver == QpMethod::interior_point && cubes > most_cubes_for_stepping)
     return scene.name.starts_with("tower_");  // may find no rest where forces are not unique
-  if (has_tolerance(method.integrator))
+  if (has_tolerance(method.integrator)) {
     return scene.rests || cubes <= most_cubes_for_slow
            || method.integrator == Integrator::automatic;
+  }
   return cubes <= most_cubes_for_stepping;
 }
 

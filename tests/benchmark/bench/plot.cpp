@@ -97,9 +97,10 @@ void draw(const Figure& figure,
   const std::string script_file = base + ".gp";
   write_text(script_file, script(figure, machine, folder));
   ChildProcess gnuplot({"gnuplot", script_file});
-  if (gnuplot.wait() != 0)
+  if (gnuplot.wait() != 0) {
     throw OutputError(
         fmt::format("gnuplot could not draw {}: {}", script_file, gnuplot.error_output()));
+  }
   for (const char* ending : {".gp", ".svg", ".png"})
     files.push_back(base + ending);
 }
@@ -136,9 +137,10 @@ void add_growth(const std::vector<BenchRow>& rows,
     line_of(figure.lines, name).points.push_back({static_cast<double>(row.bodies), row.cpu});
   }
   std::erase_if(figure.lines, [](const Line& line) { return line.points.size() < 2; });
-  for (Line& line : figure.lines)
+  for (Line& line : figure.lines) {
     std::sort(line.points.begin(), line.points.end(),
               [](const Point& a, const Point& b) { return a.x < b.x; });
+  }
 }
 
 Figure growth_figure(const std::vector<BenchRow>& rows) {

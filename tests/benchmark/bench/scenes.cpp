@@ -177,9 +177,10 @@ double place_error(const Scene& scene, const State& actual, const State& exact) 
 
 double state_error(const Scene& scene, const State& actual, const State& exact) {
   double speed = std::sqrt(scene.gravity.norm() * smallest_side(scene));
-  if (speed == 0.0)
+  if (speed == 0.0) {
     for (const SceneCube& cube : scene.cubes)
       speed = std::max(speed, cube.velocity.norm());
+  }
   const double rate = speed / smallest_side(scene);  // 1/s
   double worst = place_error(scene, actual, exact);
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -25,8 +25,8 @@
 
 namespace {
 
-using namespace wuerfel;  // NOLINT(google-build-using-namespace): main is a name of no namespace
-using namespace wuerfel::bench;  // NOLINT(google-build-using-namespace)
+using namespace wuerfel;
+using namespace wuerfel::bench;
 
 struct Options {
   std::vector<std::string> scenes{"flight",

@@ -9,7 +9,7 @@
 #include "core/check_many.h"
 #include "core/scene/scene_parser.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 class WorkInOrder : public testing::TestWithParam<int> {
@@ -113,4 +113,4 @@ TEST_P(WorkInOrder, ChecksManyScenesAsOneByOne) {
 INSTANTIATE_TEST_SUITE_P(Threads, WorkInOrder, testing::Values(1, 2, 5));
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -6,7 +6,7 @@
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// The largest share that a run of this scene leaves unexplained.
@@ -140,4 +140,4 @@ TEST(MomentumBalance, AFixedBodyPushesAndACubeDoesNot) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

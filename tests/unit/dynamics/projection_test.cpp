@@ -23,6 +23,7 @@ class Ground {
     finder.find(m.system, state, contacts, 1e-3);
     find_islands(m.system, contacts, islands);
     std::vector<Restricted> parts;
+    parts.reserve(islands.size());
     for (const Island& island : islands)
       parts.push_back({island, std::vector(island.contacts.size(), use), margins});
     return parts;

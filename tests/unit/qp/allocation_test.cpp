@@ -27,6 +27,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 void* operator new[](std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
+// NOLINTBEGIN(cppcoreguidelines-no-malloc)
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
@@ -41,18 +42,19 @@ void operator delete[](void* memory,
                        std::align_val_t /*alignment*/) noexcept {
   std::free(memory);
 }
+// NOLINTEND(cppcoreguidelines-no-malloc)
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 std::vector<QuadraticProgram> steps_of(int kind) {
   std::vector<QuadraticProgram> programs;
   for (std::uint64_t step = 0; step < 40; ++step) {
-    test::ZooOptions options{.shift = 1e-3, .turn = 3e-4};
+    ZooOptions options{.shift = 1e-3, .turn = 3e-4};
     options.step = step;
-    if (kind == 0) programs.push_back(test::tower(20, options));
-    if (kind == 1) programs.push_back(test::pile(120, options));
-    if (kind == 2) programs.push_back(test::wall(5, 5, options));
+    if (kind == 0) programs.push_back(tower(20, options));
+    if (kind == 1) programs.push_back(pile(120, options));
+    if (kind == 2) programs.push_back(wall(5, 5, options));
   }
   return programs;
 }
@@ -85,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -10,14 +10,9 @@
 #include "tests/support/friction_zoo.h"
 #include "tests/support/laid_bricks.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
-using test::Dice;
-using test::FrictionBuilder;
-using test::FrictionCase;
-
-using test::ground;
 constexpr double g = 9.81;
 
 void let_gravity_act(FrictionCase& c) {
@@ -64,9 +59,10 @@ FrictionCase bridge(double mu) {
       builder.add_contact(2, side, side == 0 ? -0.5 : 0.5, y, side == 0 ? 1.0 : -1.0, 0.0);
   }
   FrictionCase c = builder.take();
-  for (int j = 0; j < 9; ++j)
-    c.program.mass[j] =
-        j < 6 ? (j % 3 < 2 ? 3.0 : 13.0 * 3.0 / 12.0) : (j % 3 < 2 ? 1.0 : 1.0 / 6.0);
+  for (int j = 0; j < 9; ++j) {
+    const bool turns = j % 3 == 2;
+    c.program.mass[j] = j < 6 ? (turns ? 13.0 * 3.0 / 12.0 : 3.0) : (turns ? 1.0 / 6.0 : 1.0);
+  }
   let_gravity_act(c);
   return c;
 }
@@ -161,7 +157,7 @@ TEST(CanonicalFriction, OneCornerIsUnique) {
 
 TEST(CanonicalFriction, WallsBalanceExactly) {
   for (const int size : {3, 10}) {
-    FrictionCase c = test::friction_wall(size, size, {.mu = 0.6});
+    FrictionCase c = friction_wall(size, size, {.mu = 0.6});
     let_gravity_act(c);
     CoulombSolver solver;
     CoulombResult solution;
@@ -273,4 +269,4 @@ TEST(Restitution, BallOnFloor) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

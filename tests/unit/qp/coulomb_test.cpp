@@ -12,14 +12,8 @@
 #include "tests/support/friction_zoo.h"
 #include "tests/support/laid_bricks.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
-
-using test::FrictionBuilder;
-using test::FrictionCase;
-using test::FrictionOptions;
-
-using test::ground;
 
 /// A box on two corners on the floor, velocity given.
 FrictionCase box_on_floor(double mu, double width, double height, std::array<double, 3> velocity) {
@@ -193,7 +187,7 @@ TEST(Coulomb, SecondTimeIsACertificate) {
 }
 
 TEST(Coulomb, KeysFindContactsAgain) {
-  FrictionCase c = test::friction_tower(3, {.mu = 0.5, .punch = 3.0});
+  FrictionCase c = friction_tower(3, {.mu = 0.5, .punch = 3.0});
   CoulombSolver solver;
   CoulombResult result;
   const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
@@ -208,7 +202,7 @@ TEST(Coulomb, KeysFindContactsAgain) {
 
 // Velocities and displacements of one step differ by its length.
 TEST(Coulomb, ForcesFollowTheScaleOfTheProgram) {
-  FrictionCase c = test::friction_tower(3, {.mu = 0.5, .punch = 3.0});
+  FrictionCase c = friction_tower(3, {.mu = 0.5, .punch = 3.0});
   CoulombSolver solver;
   CoulombResult result;
   const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
@@ -225,7 +219,7 @@ TEST(Coulomb, ForcesFollowTheScaleOfTheProgram) {
 
 // What is near in a placement need not touch where velocities are found.
 TEST(Coulomb, ModesOutliveProgramsWithoutTheirContact) {
-  const FrictionCase c = test::friction_tower(2, {.mu = 0.5});
+  const FrictionCase c = friction_tower(2, {.mu = 0.5});
   ContactForm form;
   form.prepare(c.view(), CoulombJudge().measure_scales(c.program));
   const std::vector<std::uint64_t> keys{11, 3, 7, 5};
@@ -250,4 +244,4 @@ TEST(Coulomb, ModesOutliveProgramsWithoutTheirContact) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

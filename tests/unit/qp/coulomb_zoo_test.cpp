@@ -9,12 +9,8 @@
 #include "core/qp/coulomb/coulomb_solver.h"
 #include "tests/support/friction_zoo.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
-
-using test::Dice;
-using test::FrictionCase;
-using test::FrictionOptions;
 
 constexpr double exact = 1e-10;
 
@@ -33,15 +29,15 @@ FrictionCase random_case(int index) {
   const int size = 1 + dice.below(5);
   switch (dice.below(5)) {
     case 0:
-      return test::friction_tower(size * 3, options);
+      return friction_tower(size * 3, options);
     case 1:
-      return test::friction_wall(size, 1 + dice.below(4), options);
+      return friction_wall(size, 1 + dice.below(4), options);
     case 2:
-      return test::friction_pyramid(size, options);
+      return friction_pyramid(size, options);
     case 3:
-      return test::friction_dominoes(size * 3, options);
+      return friction_dominoes(size * 3, options);
     default:
-      return test::friction_pile(size * 6, options);
+      return friction_pile(size * 6, options);
   }
 }
 
@@ -128,11 +124,10 @@ TEST(CoulombZoo, HugeFriction) {
 TEST(CoulombZoo, MassesThatDifferByAMillion) {
   for (int index = 0; index < 12; ++index) {
     FrictionOptions options{.mu = 0.1 + 0.15 * index};
-    options.zoo.masses =
-        index % 2 == 0 ? test::Masses::alternating_1e6 : test::Masses::random_to_1e6;
+    options.zoo.masses = index % 2 == 0 ? Masses::alternating_1e6 : Masses::random_to_1e6;
     options.zoo.seed = static_cast<std::uint64_t>(index) + 1;
     if (index % 3 == 0) options.punch = 2.0;
-    const FrictionCase c = test::friction_tower(4 + index, options);
+    const FrictionCase c = friction_tower(4 + index, options);
     CoulombSolver solver;
     CoulombResult result;
     solver.solve(c.view(), result);
@@ -152,21 +147,22 @@ FrictionCase permuted(const FrictionCase& c, std::vector<int>& body) {
     const int from = 3 * (p.blocks() - 1 - b);
     other.program.add_block({p.mass.data() + from, 3}, {p.target.data() + from, 3});
   }
-  for (auto contact = c.contacts.rbegin(); contact != c.contacts.rend(); ++contact) {
+  const std::vector reversed(c.contacts.rbegin(), c.contacts.rend());
+  for (const auto& contact : reversed) {
     const int first = other.program.rows();
-    for (const int row : {contact->normal, contact->tangent}) {
+    for (const int row : {contact.normal, contact.tangent}) {
       other.program.add_row(p.bound[row], p.force_min[row], p.force_max[row]);
       for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e)
         other.program.add_entry(body[p.entry_block[e]], p.entry(e));
     }
-    other.contacts.push_back({.normal = first, .tangent = first + 1, .mu = contact->mu});
+    other.contacts.push_back({.normal = first, .tangent = first + 1, .mu = contact.mu});
   }
   return other;
 }
 
 TEST(CoulombZoo, PermutationOfBodiesAndContacts) {
   for (int index = 0; index < 20; ++index) {
-    const FrictionCase c = test::friction_tower(2 + index, {.mu = 0.4, .punch = 2.0});
+    const FrictionCase c = friction_tower(2 + index, {.mu = 0.4, .punch = 2.0});
     std::vector<int> body;
     const FrictionCase other = permuted(c, body);
     CoulombSolver solver;
@@ -182,7 +178,7 @@ TEST(CoulombZoo, PermutationOfBodiesAndContacts) {
 
 TEST(CoulombZoo, MirrorImage) {
   for (int index = 0; index < 20; ++index) {
-    const FrictionCase c = test::friction_tower(2 + index, {.mu = 0.4, .punch = 2.0});
+    const FrictionCase c = friction_tower(2 + index, {.mu = 0.4, .punch = 2.0});
     FrictionCase mirror = c;
     QuadraticProgram& p = mirror.program;
     const auto turn = [](std::vector<double>& v, double first, double last) {
@@ -211,4 +207,4 @@ TEST(CoulombZoo, MirrorImage) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -9,11 +9,8 @@
 #include "tests/support/max_norm.h"
 #include "tests/support/qp_zoo.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
-
-using test::distance;
-using test::largest;
 
 /// The marked rows of a program as equalities, and no others.
 QuadraticProgram reduced(const QuadraticProgram& p, const std::vector<char>& tight) {
@@ -31,7 +28,7 @@ QuadraticProgram reduced(const QuadraticProgram& p, const std::vector<char>& tig
 }
 
 TEST(Equality, TakesMarkedRowsAsIfTheOthersWereNotThere) {
-  const QuadraticProgram program = test::pile(30);
+  const QuadraticProgram program = pile(30);
   std::vector<char> tight(program.bound.size());
   for (std::size_t row = 0; row < tight.size(); ++row)
     tight[row] = row % 3 != 0 ? 1 : 0;
@@ -50,7 +47,7 @@ TEST(Equality, TakesMarkedRowsAsIfTheOthersWereNotThere) {
 }
 
 TEST(Equality, LeavesOutRowsThatDependOnOthers) {
-  QuadraticProgram program = test::tower(3);
+  QuadraticProgram program = tower(3);
   const int rows = program.rows();
   for (int copy = 0; copy < 2; ++copy) {
     program.add_inequality(program.bound[0]);
@@ -69,7 +66,7 @@ TEST(Equality, LeavesOutRowsThatDependOnOthers) {
 }
 
 TEST(ActiveSet, FindsTheRowsFromAGuess) {
-  for (const QuadraticProgram& program : {test::tower(10), test::pile(20)}) {
+  for (const QuadraticProgram& program : {tower(10), pile(20)}) {
     QpResult expected;
     make_qp_solver(QpMethod::newton)->solve(program, expected);
     std::vector<char> tight(program.bound.size());
@@ -133,4 +130,4 @@ TEST(Imbalance, IsRelativeToTheForcesOnEveryBody) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -9,13 +9,8 @@
 #include "tests/support/qp_least_norm.h"
 #include "tests/support/reference_program.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
-
-using test::distance;
-using test::largest;
-
-using test::ReferenceProgram;
 
 // Accelerations relative to the largest |f|; observed: <= 2e-12 (mass ratio 1e6), elsewhere <=
 // 1e-14.
@@ -33,7 +28,7 @@ double objective(const QuadraticProgram& program, const std::vector<double>& x) 
 class IpoptReference : public testing::TestWithParam<std::string> {};
 
 TEST_P(IpoptReference, ReachesTheExactAnswer) {
-  const ReferenceProgram reference = test::read_reference_program(GetParam());
+  const ReferenceProgram reference = read_reference_program(GetParam());
   const auto solver = make_qp_solver(QpMethod::ipopt);
   QpResult result;
   solver->solve(reference.program, result);
@@ -46,7 +41,7 @@ TEST_P(IpoptReference, ReachesTheExactAnswer) {
 }
 
 TEST_P(IpoptReference, LeadsToTheLeastNormMultipliers) {
-  const ReferenceProgram reference = test::read_reference_program(GetParam());
+  const ReferenceProgram reference = read_reference_program(GetParam());
   const auto solver = make_qp_solver(QpMethod::ipopt);
   QpResult result;
   solver->solve(reference.program, result);
@@ -61,8 +56,8 @@ TEST_P(IpoptReference, LeadsToTheLeastNormMultipliers) {
 
 INSTANTIATE_TEST_SUITE_P(Cases,
                          IpoptReference,
-                         testing::ValuesIn(test::reference_program_names()),
+                         testing::ValuesIn(reference_program_names()),
                          [](const auto& test_case) { return test_case.param; });
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

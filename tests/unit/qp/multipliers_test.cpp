@@ -13,11 +13,8 @@
 #include "tests/support/qp_zoo.h"
 #include "tests/support/reference_program.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
-
-using test::distance;
-using test::largest;
 
 /// A beam of weight 6 held at x = -1 or so by props that push up; one block (y, angle).
 QuadraticProgram beam(const std::vector<double>& props) {
@@ -119,7 +116,7 @@ TEST(LeastNorm, GivesNothingToRowsThatAreOpen) {
 }
 
 TEST(NonNegativeLeastSquares, ObeysItsOptimalityConditions) {
-  test::Dice dice(3);
+  Dice dice(3);
   for (int trial = 0; trial < 50; ++trial) {
     const int rows = 2 + dice.below(12);
     const int columns = 1 + dice.below(16);
@@ -144,7 +141,7 @@ TEST_P(Canonical, AgreesWithTheDenseOracle) {
   LeastNormMultipliers fast;
   int compared = 0;
   for (int index = 50 * GetParam(); index < 50 * (GetParam() + 1); ++index) {
-    const test::ZooProgram zoo = test::random_program(index);
+    const ZooProgram zoo = random_program(index);
     // Jammed walls whose masses differ by 1e6 leave the rank of their contacts in doubt.
     const bool doubtful = zoo.name.find("perturbed") != std::string::npos
                           && zoo.name.find("masses") != std::string::npos;
@@ -172,8 +169,8 @@ INSTANTIATE_TEST_SUITE_P(Fifties, Canonical, testing::Range(0, 4));
 
 TEST(Canonical, ReachesTheExactMultipliersOfTheReferenceCases) {
   CanonicalMultipliers canonical;
-  for (const std::string& name : test::reference_program_names()) {
-    const test::ReferenceProgram reference = test::read_reference_program(name);
+  for (const std::string& name : reference_program_names()) {
+    const ReferenceProgram reference = read_reference_program(name);
     QpResult result;
     make_qp_solver(QpMethod::interior_point)->solve(reference.program, result);
     LeastNormMultipliers found;
@@ -193,7 +190,7 @@ TEST(Canonical, ReachesTheExactMultipliersOfTheReferenceCases) {
 }
 
 TEST(Canonical, IsTheSameFromBothMethodsInALargeWall) {
-  const QuadraticProgram program = test::wall(20, 20);
+  const QuadraticProgram program = wall(20, 20);
   std::array<LeastNormMultipliers, 2> found;
   for (const std::size_t k : {0U, 1U}) {
     QpResult result;
@@ -234,4 +231,4 @@ TEST(Residual, DoesNotDependOnTheLengthOfRows) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

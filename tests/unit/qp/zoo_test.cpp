@@ -13,18 +13,14 @@
 #include "tests/support/motion_programs.h"
 #include "tests/support/qp_zoo.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
-using test::largest;
-using test::ZooOptions;
-using test::ZooProgram;
-
 /// Relative to the largest |target|.
-double distance(const QuadraticProgram& program,
-                const std::vector<double>& a,
-                const std::vector<double>& b) {
-  return test::distance(a, b) / test::largest(program.target);
+double relative_distance(const QuadraticProgram& program,
+                         const std::vector<double>& a,
+                         const std::vector<double>& b) {
+  return distance(a, b) / largest(program.target);
 }
 
 // Programs of equal masses: observed <= 2e-10. Masses of ratio 1e6 make light bodies less exact:
@@ -42,7 +38,7 @@ TEST_P(Zoo, IsSolvedByBothMethodsAlike) {
   QpResult a;
   QpResult b;
   for (int index = 100 * GetParam(); index < 100 * (GetParam() + 1); ++index) {
-    const ZooProgram zoo = test::random_program(index);
+    const ZooProgram zoo = random_program(index);
     automatic->forget();
     automatic->solve(zoo.program, a);
     interior_point->forget();
@@ -52,7 +48,8 @@ TEST_P(Zoo, IsSolvedByBothMethodsAlike) {
     EXPECT_LE(a.residual.worst(), 1e-10) << index << ' ' << zoo.name;
     EXPECT_LE(optimality_residual(zoo.program, a.x, a.multiplier).worst(), 1e-10)
         << index << ' ' << zoo.name;
-    EXPECT_LE(distance(zoo.program, a.x, b.x), tolerance_of(zoo)) << index << ' ' << zoo.name;
+    EXPECT_LE(relative_distance(zoo.program, a.x, b.x), tolerance_of(zoo))
+        << index << ' ' << zoo.name;
   }
 }
 
@@ -63,7 +60,7 @@ TEST(Zoo, IsSolvedByNewtonAloneUnlessJammedMassesDiffer) {
   QpResult result;
   int missed = 0;
   for (int index = 0; index < 1000; ++index) {
-    const ZooProgram zoo = test::random_program(index);
+    const ZooProgram zoo = random_program(index);
     newton->forget();
     newton->solve(zoo.program, result);
     if (result.status == QpStatus::optimal) continue;
@@ -83,12 +80,13 @@ TEST(Zoo, IsSolvedByIpoptAlike) {
   QpResult b;
   int compared = 0;
   for (int index = 0; index < 100; ++index) {
-    const ZooProgram zoo = test::random_program(index);
+    const ZooProgram zoo = random_program(index);
     if (zoo.program.blocks() > 12) continue;
     automatic->solve(zoo.program, a);
     ipopt->solve(zoo.program, b);
     EXPECT_EQ(b.status, QpStatus::optimal) << index << ' ' << zoo.name << ' ' << b.residual.worst();
-    EXPECT_LE(distance(zoo.program, a.x, b.x), tolerance_of(zoo)) << index << ' ' << zoo.name;
+    EXPECT_LE(relative_distance(zoo.program, a.x, b.x), tolerance_of(zoo))
+        << index << ' ' << zoo.name;
     ++compared;
   }
   EXPECT_GE(compared, 30);
@@ -99,7 +97,7 @@ class JammedWall : public testing::TestWithParam<int> {};
 
 TEST_P(JammedWall, IsSolvedByBothMethodsAlike) {
   for (const int size : {10, 20, 30}) {
-    const QuadraticProgram program = test::wall(
+    const QuadraticProgram program = wall(
         size, size, {.shift = 1e-3, .turn = 3e-4, .seed = static_cast<std::uint64_t>(GetParam())});
     QpResult a;
     QpResult b;
@@ -108,7 +106,7 @@ TEST_P(JammedWall, IsSolvedByBothMethodsAlike) {
     EXPECT_EQ(a.status, QpStatus::optimal) << size << ' ' << a.residual.worst();
     EXPECT_EQ(b.status, QpStatus::optimal) << size << ' ' << b.residual.worst();
     EXPECT_LE(optimality_residual(program, a.x, a.multiplier).worst(), 1e-10) << size;
-    EXPECT_LE(distance(program, a.x, b.x), 1e-8) << size;
+    EXPECT_LE(relative_distance(program, a.x, b.x), 1e-8) << size;
   }
 }
 
@@ -118,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds,
                          testing::PrintToStringParamName());
 
 TEST(ShippedScenes, InMotionAreSolvedByBothMethodsAlike) {
-  const std::vector<ZooProgram> programs = test::motion_programs();
+  const std::vector<ZooProgram> programs = motion_programs();
   ASSERT_GE(programs.size(), 40U);
   for (const bool warm : {false, true}) {
     const auto automatic = make_qp_solver(QpMethod::automatic);
@@ -132,7 +130,7 @@ TEST(ShippedScenes, InMotionAreSolvedByBothMethodsAlike) {
       interior_point->solve(zoo.program, b);
       EXPECT_EQ(a.status, QpStatus::optimal) << zoo.name << ' ' << a.residual.worst();
       EXPECT_EQ(b.status, QpStatus::optimal) << zoo.name << ' ' << b.residual.worst();
-      EXPECT_LE(distance(zoo.program, a.x, b.x), 1e-8) << zoo.name;
+      EXPECT_LE(relative_distance(zoo.program, a.x, b.x), 1e-8) << zoo.name;
     }
   }
 }
@@ -140,7 +138,7 @@ TEST(ShippedScenes, InMotionAreSolvedByBothMethodsAlike) {
 TEST(Tower, OfAThousandStands) {
   for (const bool moved : {false, true}) {
     const ZooOptions options = moved ? ZooOptions{.shift = 1e-3, .turn = 3e-4} : ZooOptions{};
-    const QuadraticProgram program = test::tower(1000, options);
+    const QuadraticProgram program = tower(1000, options);
     for (const QpMethod method :
          {QpMethod::automatic, QpMethod::newton, QpMethod::interior_point}) {
       QpResult result;
@@ -158,7 +156,7 @@ TEST(Pile, OfAThousandIsSolvedWarmAndCold) {
   const auto solver = make_qp_solver(QpMethod::automatic);
   QpResult result;
   for (std::uint64_t step = 0; step < 5; ++step) {
-    solver->solve(test::pile(1000, {.shift = 1e-3, .turn = 3e-4, .step = step}), result);
+    solver->solve(pile(1000, {.shift = 1e-3, .turn = 3e-4, .step = step}), result);
     EXPECT_EQ(result.status, QpStatus::optimal) << step;
     if (step >= 2) {
       EXPECT_LE(result.iterations, 8) << "the sides are known by now";
@@ -176,30 +174,28 @@ TEST(Memory, DoesNotChangeAnswers) {
     options.step = static_cast<std::uint64_t>(step);
     options.velocity = step % 7 == 3;
     const int size = 10 + (step / 5) % 3;
-    const QuadraticProgram program =
-        step % 2 == 0 ? test::pile(size, options) : test::tower(size, options);
+    const QuadraticProgram program = step % 2 == 0 ? pile(size, options) : tower(size, options);
     old->solve(program, warm);
     make_qp_solver(QpMethod::automatic)->solve(program, cold);
     EXPECT_EQ(warm.status, QpStatus::optimal);
-    EXPECT_LE(distance(program, warm.x, cold.x), 1e-10) << step;
+    EXPECT_LE(relative_distance(program, warm.x, cold.x), 1e-10) << step;
   }
 }
 
 TEST(Memory, NeedsOneFactorisationForTheSameProgram) {
-  for (const QuadraticProgram& program :
-       {test::tower(30), test::pile(60), test::pyramid(8), test::wall(6, 6)}) {
+  for (const QuadraticProgram& program : {tower(30), pile(60), pyramid(8), wall(6, 6)}) {
     const auto solver = make_qp_solver(QpMethod::automatic);
     QpResult first;
     QpResult again;
     solver->solve(program, first);
     solver->solve(program, again);
     EXPECT_EQ(again.iterations, 1);
-    EXPECT_LE(distance(program, first.x, again.x), 1e-12);
+    EXPECT_LE(relative_distance(program, first.x, again.x), 1e-12);
   }
 }
 
 TEST(Memory, KeepsCanonicalForcesIndependentOfThePast) {
-  const QuadraticProgram program = test::wall(6, 6);
+  const QuadraticProgram program = wall(6, 6);
   const auto solver = make_qp_solver(QpMethod::automatic);
   CanonicalMultipliers canonical;
   QpResult result;
@@ -208,7 +204,7 @@ TEST(Memory, KeepsCanonicalForcesIndependentOfThePast) {
   solver->solve(program, result);
   canonical.find(program, result.x, result.multiplier, false, first);
   for (std::uint64_t step = 0; step < 5; ++step) {
-    const QuadraticProgram moved = test::wall(6, 6, {.shift = 1e-4, .turn = 1e-4, .step = step});
+    const QuadraticProgram moved = wall(6, 6, {.shift = 1e-4, .turn = 1e-4, .step = step});
     solver->solve(moved, result);
     canonical.find(moved, result.x, result.multiplier, false, again);
   }
@@ -229,18 +225,18 @@ TEST(Kernels, GiveTheSameBitsOnEveryCpu) {
   QpResult a;
   QpResult b;
   for (int index = 0; index < 300; ++index) {
-    const ZooProgram zoo = test::random_program(index);
+    const ZooProgram zoo = random_program(index);
     plain.solve(zoo.program, a);
     wide.solve(zoo.program, b);
     EXPECT_EQ(a.x, b.x) << index << ' ' << zoo.name;
     EXPECT_EQ(a.multiplier, b.multiplier) << index << ' ' << zoo.name;
     EXPECT_EQ(a.iterations, b.iterations) << index << ' ' << zoo.name;
   }
-  const QuadraticProgram pile = test::pile(500);
-  plain.solve(pile, a);
-  wide.solve(pile, b);
+  const QuadraticProgram large = pile(500);
+  plain.solve(large, a);
+  wide.solve(large, b);
   EXPECT_EQ(a.x, b.x);
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -8,10 +8,7 @@
 namespace wuerfel::test {
 namespace {
 
-/// A cube to which a third line adds the mistake.
-const char* const cube = "[[cube]]\nposition = [0, 1]\n";
-
-std::string with_cube(const std::string& line) { return toml_error(cube + line + "\n"); }
+std::string with_cube(const std::string& line) { return toml_error(cube_text + line + "\n"); }
 
 TEST(ParseError, UnknownKeyComesWithASuggestion) {
   EXPECT_EQ(toml_error("version = 1\n[[cube]]\npostion = [0, 1]\n"),
@@ -22,15 +19,15 @@ TEST(ParseError, UnknownKeyComesWithASuggestion) {
 
 TEST(ParseError, UnknownKeyWithoutLikenessListsTheKnownOnes) {
   EXPECT_EQ(
-      toml_error("qqqqqq = 3\n" + std::string(cube)),
+      toml_error("qqqqqq = 3\n" + std::string(cube_text)),
       "s.toml:1:1: unknown key \"qqqqqq\"; known: version, title, gravity, duration, material, "
       "plane, fixed, cube, tower, wall, pyramid, pile, pair, point, rod, pin, chain, truss");
 }
 
 TEST(ParseError, UnknownKeysOfAllTablesAreRefused) {
-  EXPECT_EQ(toml_error("[material]\nfrition = 1\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("[material]\nfrition = 1\n" + std::string(cube_text)),
             "s.toml:2:1: material: unknown key \"frition\"; did you mean \"friction\"?");
-  EXPECT_EQ(toml_error("[[plane]]\nnormale = [0, 1]\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("[[plane]]\nnormale = [0, 1]\n" + std::string(cube_text)),
             "s.toml:2:1: plane[1]: unknown key \"normale\"; did you mean \"normal\"?");
   EXPECT_EQ(toml_error("[[pile]]\nseeds = 3\n"),
             "s.toml:2:1: pile[1]: unknown key \"seeds\"; did you mean \"seed\"?");
@@ -60,7 +57,7 @@ TEST(ParseError, TablesAreNotTakenForValuesNorValuesForTables) {
   EXPECT_EQ(toml_error("[cube]\nposition = [0, 1]\n"),
             "s.toml:1:2: cube: must be an array of tables ([[cube]] in TOML), not a table");
   EXPECT_EQ(toml_error("cube = [3]\n"), "s.toml:1:9: cube[1]: must be a table, not 3");
-  EXPECT_EQ(toml_error("material = 3\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("material = 3\n" + std::string(cube_text)),
             "s.toml:1:12: material: must be a table, not 3");
   EXPECT_EQ(json_error("null"), "s.json: a scene must be a table, not null");
 }
@@ -94,17 +91,17 @@ TEST(ParseError, ValuesStayWithinTheirRange) {
             "s.toml:3:12: cube[1].friction: must not be negative; it is -0.1");
   EXPECT_EQ(with_cube("friction = inf"),
             "s.toml:3:12: cube[1].friction: must be a finite number, not inf");
-  EXPECT_EQ(toml_error("[material]\nfriction = nan\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("[material]\nfriction = nan\n" + std::string(cube_text)),
             "s.toml:2:12: material.friction: must be a finite number, not nan");
   EXPECT_EQ(with_cube("restitution = nan"),
             "s.toml:3:15: cube[1].restitution: must be a finite number, not nan");
   EXPECT_EQ(with_cube("restitution = 1.5"),
             "s.toml:3:15: cube[1].restitution: must be between 0 and 1; it is 1.5");
-  EXPECT_EQ(toml_error("[material]\nrestitution = -1\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("[material]\nrestitution = -1\n" + std::string(cube_text)),
             "s.toml:2:15: material.restitution: must not be negative; it is -1");
-  EXPECT_EQ(toml_error("duration = -1\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("duration = -1\n" + std::string(cube_text)),
             "s.toml:1:12: duration: must not be negative; it is -1");
-  EXPECT_EQ(toml_error("version = 2\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("version = 2\n" + std::string(cube_text)),
             "s.toml:1:11: version: must be 1; it is 2");
   EXPECT_EQ(with_cube("mass = 1e40"),
             "s.toml:3:8: cube[1].mass: must be between 1e-30 and 1e+30; it is 1e+40");
@@ -135,7 +132,7 @@ TEST(ParseError, NamesAndTitlesFitOnALine) {
   EXPECT_EQ(with_cube("name = \"\""), "s.toml:3:8: cube[1].name: must not be empty");
   EXPECT_EQ(with_cube("name = \"" + std::string(101, 'x') + "\""),
             "s.toml:3:8: cube[1].name: has 101 characters; at most 100 are allowed");
-  EXPECT_EQ(toml_error("title = \"a\\nb\"\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("title = \"a\\nb\"\n" + std::string(cube_text)),
             "s.toml:1:9: title: must not hold line breaks or other control characters");
   EXPECT_EQ(json_error(R"({"title": "\u0000", "cube": [{"position": [0, 1]}]})"),
             "s.json: title: must not hold line breaks or other control characters");
@@ -158,7 +155,7 @@ TEST(ParseError, ASceneNeedsCubes) {
 }
 
 TEST(ParseError, ANormalHasADirection) {
-  EXPECT_EQ(toml_error("[[plane]]\nnormal = [0, 0]\n" + std::string(cube)),
+  EXPECT_EQ(toml_error("[[plane]]\nnormal = [0, 0]\n" + std::string(cube_text)),
             "s.toml:2:10: plane[1].normal: must not be zero");
 }
 
@@ -179,16 +176,16 @@ TEST(ParseError, OneOfTheAlternativesMustBeThere) {
   EXPECT_EQ(toml_error("[[wall]]\nrows = 1\ncolumns = 1\n"),
             "s.toml:1:1: wall[1]: needs base or on");
   EXPECT_EQ(toml_error("[[tower]]\nbase = [0, 0]\n"), "s.toml:1:1: tower[1]: needs count");
-  EXPECT_EQ(toml_error(std::string(cube) + "[[pair]]\nbodies = [\"cube1\", \"cube2\"]\n"),
+  EXPECT_EQ(toml_error(std::string(cube_text) + "[[pair]]\nbodies = [\"cube1\", \"cube2\"]\n"),
             "s.toml:3:1: pair[1]: needs friction or restitution");
 }
 
 TEST(ParseError, UnknownBodiesComeWithASuggestion) {
   EXPECT_EQ(toml_error("[[plane]]\nname = \"floor\"\n[[cube]]\non = \"flor\"\n"),
             "s.toml:4:6: cube[1].on: there is no body \"flor\"; did you mean \"floor\"?");
-  EXPECT_EQ(
-      toml_error(std::string(cube) + "[[pair]]\nbodies = [\"cube1\", \"moon\"]\nfriction = 1\n"),
-      "s.toml:4:10: pair[1].bodies: there is no body \"moon\"; known: cube1");
+  EXPECT_EQ(toml_error(std::string(cube_text)
+                       + "[[pair]]\nbodies = [\"cube1\", \"moon\"]\nfriction = 1\n"),
+            "s.toml:4:10: pair[1].bodies: there is no body \"moon\"; known: cube1");
 }
 
 TEST(ParseError, CyclesOfOnAreNamed) {
@@ -209,7 +206,7 @@ TEST(ParseError, PilesCarryNothing) {
 }
 
 TEST(ParseError, PairsAreOfTwoBodiesAndGivenOnce) {
-  const std::string bodies = "[[plane]]\n" + std::string(cube);
+  const std::string bodies = "[[plane]]\n" + std::string(cube_text);
   EXPECT_EQ(toml_error(bodies + "[[pair]]\nbodies = [\"cube1\", \"cube1\"]\nfriction = 1\n"),
             "s.toml:5:10: pair[1].bodies: must be two different bodies");
   EXPECT_EQ(toml_error(bodies
@@ -236,80 +233,12 @@ TEST(ParseError, OverlapsNameBothBodiesAndTheDepth) {
   EXPECT_EQ(toml_error("[[plane]]\n[[cube]]\nposition = [0, 0.4]\n"),
             "s.toml:2:1: cube[1]: \"cube1\" and \"plane1\" overlap by 0.1 m; move them apart, or "
             "let one stand on the other with `on`");
-  EXPECT_EQ(toml_error(std::string(cube) + "[[fixed]]\nposition = [0.9, 1]\n"),
+  EXPECT_EQ(toml_error(std::string(cube_text) + "[[fixed]]\nposition = [0.9, 1]\n"),
             "s.toml:3:1: fixed[1]: \"cube1\" and \"fixed1\" overlap by 0.1 m; move them apart, or "
             "let one stand on the other with `on`");
   EXPECT_EQ(json_error(R"({"cube": [{"position": [0, 1]}, {"position": [0.25, 1]}]})"),
             "s.json: cube[2]: \"cube2\" and \"cube1\" overlap by 0.75 m; move them apart, or let "
             "one stand on the other with `on`");
-}
-
-TEST(ParseError, SyntaxErrorsHaveLineAndColumn) {
-  EXPECT_EQ(toml_error("version = 1\nversion = 1\n"),
-            "s.toml:2:11: not valid TOML: Error while parsing key-value pair: cannot redefine "
-            "existing integer 'version'");
-  EXPECT_EQ(toml_error("title = \"äöü\" x\n").substr(0, 28), "s.toml:1:15: not valid TOML:");
-  EXPECT_EQ(json_error("{\"version\": 1,\n \"cube\": [}"),
-            "s.json:2:11: not valid JSON: syntax error while parsing value - unexpected '}'; "
-            "expected '[', '{', or a literal");
-  EXPECT_EQ(
-      json_error("[1,2"),
-      "s.json:1:5: not valid JSON: syntax error while parsing array - unexpected end of input; "
-      "expected ']'");
-  EXPECT_EQ(json_error(R"({"cube": [{"position": [0, 1]}]} x)").substr(0, 28),
-            "s.json:1:34: not valid JSON:");
-}
-
-TEST(ParseError, JsonKeysAreGivenOnce) {
-  EXPECT_EQ(json_error(R"({"cube": [{"position": [0, 1], "mass": 1, "mass": 2}]})"),
-            "s.json: cube[1].mass: given twice");
-}
-
-TEST(ParseError, EmptyTextsAreRefused) {
-  for (const char* text : {"", " \n\t\r\n", "\xef\xbb\xbf\n"}) {
-    EXPECT_EQ(toml_error(text), "s.toml:1:1: empty; a scene needs at least one [[cube]]");
-  }
-  EXPECT_EQ(json_error(""), "s.json:1:1: empty; a scene needs at least one [[cube]]");
-}
-
-TEST(ParseError, WhatIsNotUtf8TextIsRefused) {
-  EXPECT_EQ(toml_error("# caf\xe9\n"), "s.toml:1:6: not UTF-8 text; save it in that encoding");
-  EXPECT_EQ(toml_error("\n# ä \xc0\xaf\n"), "s.toml:2:5: not UTF-8 text; save it in that encoding")
-      << "overlong form";
-  EXPECT_EQ(toml_error("# \xed\xa0\x80\n"), "s.toml:1:3: not UTF-8 text; save it in that encoding")
-      << "surrogate";
-  EXPECT_EQ(toml_error("# \xf4\x90\x80\x80\n"),
-            "s.toml:1:3: not UTF-8 text; save it in that encoding")
-      << "beyond U+10FFFF";
-  EXPECT_EQ(toml_error("# \xe2\x82"), "s.toml:1:3: not UTF-8 text; save it in that encoding")
-      << "cut off";
-  EXPECT_EQ(json_error("{\"title\": \"\xff\"}"),
-            "s.json:1:12: not UTF-8 text; save it in that encoding");
-  EXPECT_EQ(toml_error(std::string("# a\0b\n", 6)), "s.toml:1:4: not a text: it holds a zero byte");
-}
-
-TEST(ParseError, DeepNestingIsRefusedBeforeAnyoneRecurses) {
-  const std::string brackets(100'000, '[');
-  EXPECT_EQ(toml_error("x = " + brackets), "s.toml:1:21: nested too deeply: more than 16 levels");
-  EXPECT_EQ(json_error("{\"x\": " + brackets),
-            "s.json:1:22: nested too deeply: more than 16 levels");
-  std::string dots;
-  for (int i = 0; i < 100'000; ++i) {
-    dots += "a.";
-  }
-  EXPECT_EQ(toml_error(dots + "a = 1\n"), "s.toml:1:34: nested too deeply: more than 16 levels");
-  EXPECT_EQ(toml_error("[" + dots + "a]\n"), "s.toml:1:35: nested too deeply: more than 16 levels");
-}
-
-TEST(ParseError, BracketsAndDotsWithinStringsAndCommentsDoNotNest) {
-  const std::string many = "[[[[[[[[[[[[[[[[[[[[......................";
-  EXPECT_EQ(toml_error("title = \"" + many + "\\\"" + many + "\" # " + many + "\n" + cube),
-            "no error");
-  EXPECT_EQ(toml_error("title = '" + many + "' # '\n" + cube), "no error");
-  EXPECT_EQ(toml_error("title = \"\"\"" + many + "\"" + many + "\"\"\"\n" + cube), "no error");
-  EXPECT_EQ(toml_error("title = '''" + many + "'" + many + "'''\n" + cube), "no error");
-  EXPECT_EQ(json_error("{\"title\": \"" + many + "\\\"'\", \"cube\": [{\"position\": [0, 1]}]}"),
-            "no error");
 }
 
 TEST(ParseError, AbsurdCountsAreRefused) {
@@ -320,11 +249,6 @@ TEST(ParseError, AbsurdCountsAreRefused) {
             "allowed");
   EXPECT_EQ(toml_error("[[tower]]\ncount = 0\nbase = [0, 0]\n"),
             "s.toml:2:9: tower[1].count: must be greater than 0; it is 0");
-}
-
-TEST(ParseError, AbsurdlyLongTextsAreRefused) {
-  EXPECT_EQ(toml_error(std::string((std::size_t{128} << 20U) + 1, '#')),
-            "s.toml:1:1: too long: 134217729 bytes, at most 134217728 are read");
 }
 
 TEST(ParseError, PilesThatDoNotFitSayHowFarTheyCame) {

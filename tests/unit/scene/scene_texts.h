@@ -8,6 +8,9 @@
 
 namespace wuerfel::test {
 
+/// A cube, to which a third line adds a mistake.
+inline constexpr const char* cube_text = "[[cube]]\nposition = [0, 1]\n";
+
 /// Names of the files in assets/scenes without folder and ".toml", sorted.
 std::vector<std::string> shipped_scene_names();
 

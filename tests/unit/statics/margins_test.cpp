@@ -155,6 +155,12 @@ TEST(Margins, AMoveEndsAtTheEdgeOrAtTheNeighbour) {
   EXPECT_EQ(move(0).low, -unbounded);
 }
 
+Scene moved_with_load(Scene scene, const CarriedGroup& group, double by) {
+  for (const int cube : group.cubes)
+    scene.cubes[cube].position.x() += by;
+  return scene;
+}
+
 // Another way to the same end: where the scene stops to stand its weakest weight may not shift at all.
 TEST(Margins, AtTheEndOfAMoveTheSceneIsOnAKnifeEdge) {
   constexpr double knife_edge = 1e-12;  // of the side
@@ -168,11 +174,7 @@ TEST(Margins, AtTheEndOfAMoveTheSceneIsOnAKnifeEdge) {
       EXPECT_LE(body.move.error, 1e-12) << body.cube;
       for (const double s : {body.move.low, body.move.high}) {
         if (!std::isfinite(s)) continue;
-        Scene moved = scene;
-        const CarriedGroup group = *carried_group(from, body.cube);
-        for (const int cube : group.cubes)
-          moved.cubes[cube].position.x() += s;
-        const StillScene there = still(moved);
+        const StillScene there = still(moved_with_load(scene, *carried_group(from, body.cube), s));
         if (there.verdict != Verdict::stands) continue;
         const std::optional<Weakest> weakest = find_weakest(there);
         ASSERT_TRUE(weakest);

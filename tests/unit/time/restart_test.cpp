@@ -7,7 +7,7 @@
 #include "core/time/restart_point.h"
 #include "core/time/simulation.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr const char* crowd = R"(
@@ -46,7 +46,7 @@ struct Case {
 
 class Restart : public testing::TestWithParam<Case> {
  protected:
-  Scene scene_ = parse_scene(crowd, "crowd");
+  Scene scene = parse_scene(crowd, "crowd");
   MotionSettings settings() const {
     MotionSettings settings;
     settings.integrator = GetParam().integrator;
@@ -60,11 +60,11 @@ class Restart : public testing::TestWithParam<Case> {
 TEST_P(Restart, GoesOnToTheSameBits) {
   const double until = GetParam().until;
   std::vector<std::string> points;
-  Simulation whole(scene_, settings());
+  Simulation whole(scene, settings());
   whole.set_restart_listener([&points](std::string point) { points.push_back(std::move(point)); });
   whole.advance_to(until);
   ASSERT_FALSE(points.empty());
-  Simulation resumed(scene_, settings(), points.front());
+  Simulation resumed(scene, settings(), points.front());
   EXPECT_GT(resumed.time(), 0.0);
   resumed.advance_to(0.5 * (resumed.time() + until));
   resumed.advance_to(until);
@@ -76,9 +76,9 @@ TEST_P(Restart, GoesOnToTheSameBits) {
 }
 
 TEST_P(Restart, ListenersChangeNothing) {
-  Simulation alone(scene_, settings());
+  Simulation alone(scene, settings());
   alone.advance_to(GetParam().until);
-  Simulation heard(scene_, settings());
+  Simulation heard(scene, settings());
   heard.set_restart_listener([](const std::string&) {});
   for (int k = 1; k <= 7; ++k)
     heard.advance_to(GetParam().until * k / 7);
@@ -109,4 +109,4 @@ TEST(RestartPoints, AreRefusedWhereTheyAreCutOrOfAnotherScene) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

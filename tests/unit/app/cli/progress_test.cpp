@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// How many lines a job of `total` s gets that goes on evenly and is looked at every `interval` s.
@@ -48,4 +48,4 @@ TEST(LogSchedule, ALookThatComesLateGetsOneLine) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

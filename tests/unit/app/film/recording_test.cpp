@@ -64,14 +64,14 @@ void expect_equal(const Snapshot& a, const Snapshot& b) {
 /// Twenty instants of a cube in flight, which is what a recording may have to simulate again.
 class Recordings : public ::testing::Test {
  protected:
-  Scene scene_ = parse_scene("version = 1\n[[cube]]\nname = \"a\"\nposition = [0, 10]\n", "flight");
-  StopSignal stop_;
-  MotionSource source_{scene_, {},   timetable(1.0, frame_times(1.0, {.fps = 20.0}), {}), {}, {},
-                       {},     stop_};
+  Scene scene = parse_scene("version = 1\n[[cube]]\nname = \"a\"\nposition = [0, 10]\n", "flight");
+  StopSignal stop;
+  MotionSource source{scene, {},  timetable(1.0, frame_times(1.0, {.fps = 20.0}), {}), {}, {},
+                      {},    stop};
 };
 
 TEST_F(Recordings, GiveBackEverySnapshotAsOftenAsAsked) {
-  Recording recording(source_);
+  Recording recording(source);
   for (int i = 0; i < 20; ++i)
     recording.add(moved(i));
   for (int round = 0; round < 2; ++round) {
@@ -82,7 +82,7 @@ TEST_F(Recordings, GiveBackEverySnapshotAsOftenAsAsked) {
 }
 
 TEST_F(Recordings, KnowWhatArrowsReach) {
-  Recording recording(source_);
+  Recording recording(source);
   for (int i = 0; i < 4; ++i)
     recording.add(moved(i));
   double largest = 0.0;
@@ -93,9 +93,9 @@ TEST_F(Recordings, KnowWhatArrowsReach) {
 
 TEST_F(Recordings, OfWhatIsTooLargeToBeKeptAreSimulatedAgain) {
   std::vector<Snapshot> shown;
-  Recording kept(source_);
-  Recording dropped(source_, 1000);
-  source_.show_frames([&](const Snapshot& snapshot) {
+  Recording kept(source);
+  Recording dropped(source, 1000);
+  source.show_frames([&](const Snapshot& snapshot) {
     shown.push_back(snapshot);
     kept.add(snapshot);
     dropped.add(snapshot);

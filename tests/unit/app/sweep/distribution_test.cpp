@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST(Distribution, LogarithmAndExponentialAreThoseOfTheLibraryToRounding) {
@@ -46,4 +46,4 @@ TEST(Distribution, LogUniformKeepsItsEndsAndItsMiddle) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

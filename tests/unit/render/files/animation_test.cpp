@@ -1,90 +1,15 @@
 // Films, looked at with ffprobe and ffmpeg as any player would.
-#include "render/files/animation.h"
-
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <memory>
-#include <sstream>
 #include <string>
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
 #include "render/error.h"
-#include "render/files/child_process.h"
-#include "render/files/png.h"
-#include "tests/support/own_folder.h"
+#include "tests/unit/render/files/film_fixture.h"
 
 namespace wuerfel::internal {
 namespace {
-
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
-  std::string text;
-  std::array<char, 256> part{};
-  while (std::fgets(part.data(), static_cast<int>(part.size()), output.get()) != nullptr)
-    text += part.data();
-  while (!text.empty() && text.back() == '\n')
-    text.pop_back();
-  return text;
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-class Film : public test::OwnFolder {
- protected:
-  void SetUp() override {
-    OwnFolder::SetUp();
-    settings.width = 64;
-    settings.height = 48;
-    settings.fps = 25.0;
-    settings.palette = animation_palette(make_style(Theme::light));
-  }
-  bool folder_is_empty() const { return std::filesystem::is_empty(folder); }
-
-  /// A white picture in which a red bar moves to the right; half of it transparent where that is
-  /// asked for.
-  Image frame(int number) const {
-    Image image(settings.width, settings.height,
-                settings.transparent ? Color{0, 0, 0, 0} : rgb(0xFFFFFF));
-    for (int y = 0; y < settings.height; ++y) {
-      for (int x = 4 * number; x < 4 * number + 8; ++x)
-        image.set(x, y, make_style(Theme::light).contact);
-    }
-    return image;
-  }
-
-  void write(const std::string& name, int frames) const {
-    const auto writer = make_animation_writer(path(name), settings);
-    for (int i = 0; i < frames; ++i)
-      writer->add(frame(i));
-    writer->finish();
-  }
-
-  std::string probe(const std::string& name, const std::string& entries) const {
-    return output_of("ffprobe -v error -count_frames -show_entries stream=" + entries
-                     + " -of csv=p=0 '" + path(name) + "'");
-  }
-
-  /// A frame as a viewer sees it.
-  Image decoded(const std::string& name, int number, const std::string& decoder = "") const {
-    const std::string picture = path("decoded.png");
-    output_of("ffmpeg -v error -y " + decoder + " -i '" + path(name) + "' -vf select='eq(n\\,"
-              + std::to_string(number) + ")' -frames:v 1 '" + picture + "'");
-    return read_png(picture).image;
-  }
-
-  AnimationSettings settings;
-};
 
 TEST_F(Film, Mp4HasSizeRateFramesAndColourTags) {
   write("a.mp4", 10);
@@ -210,103 +135,5 @@ TEST_F(Film, FolderThatCannotBeWrittenIsAnError) {
   std::ofstream(path("file")) << "in the way";
   EXPECT_THROW(make_animation_writer(path("file/a.mp4"), settings), OutputError);
 }
-
-/// An ffmpeg of our own on the PATH, which behaves as `script` says.
-class FakeFfmpeg : public Film {
- protected:
-  void install(const std::string& script) {
-    std::filesystem::create_directories(folder / "bin");
-    const std::string program = path("bin/ffmpeg");
-    std::ofstream(program) << "#!/bin/sh\n" << script << '\n';
-    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-    setenv("PATH", (path("bin") + ":" + real_path).c_str(), 1);
-  }
-  void SetUp() override {
-    Film::SetUp();
-    real_path = std::getenv("PATH");
-  }
-  void TearDown() override {
-    setenv("PATH", real_path.c_str(), 1);
-    Film::TearDown();
-  }
-  /// The message of the error that comes up while frames are added and the film is finished.
-  std::string failure() {
-    try {
-      const auto writer = make_animation_writer(path("a.mp4"), settings);
-      for (int i = 0; i < 2000; ++i)
-        writer->add(frame(i % 10));
-      writer->finish();
-    } catch (const OutputError& error) {
-      return error.what();
-    }
-    return "no error";
-  }
-  std::string real_path;
-};
-
-TEST_F(FakeFfmpeg, MissingIsAnErrorThatSaysWhatToInstall) {
-  setenv("PATH", path("nowhere").c_str(), 1);
-  EXPECT_EQ(failure(), "ffmpeg was not found on the PATH; on Debian: apt install ffmpeg");
-}
-
-TEST_F(FakeFfmpeg, ThatStopsReadingIsAnErrorWithItsOwnWords) {
-  install("echo 'no room left' >&2; exit 3");
-  const std::string message = failure();
-  EXPECT_NE(message.find("no room left"), std::string::npos) << message;
-  EXPECT_FALSE(std::filesystem::exists(path("a.mp4")));
-}
-
-TEST_F(FakeFfmpeg, ThatFailsAtTheEndIsAnErrorToo) {
-  install("cat > /dev/null; exit 1");
-  EXPECT_NE(failure().find("ffmpeg failed"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(path("a.mp4")));
-}
-
-/// Thrown by who gives up.
-struct Impatience {};
-
-/// Gives up at the third call.
-std::function<void()> short_patience() {
-  return [calls = 0]() mutable {
-    if (++calls == 3) throw Impatience();
-  };
-}
-
-TEST_F(FakeFfmpeg, ThatNeverEndsIsGivenUpAndLeavesNothing) {
-  install("echo $$ > " + path("bin/pid") + "; cat > /dev/null; exec sleep 1000");
-  settings.while_waiting = short_patience();
-  {
-    const auto writer = make_animation_writer(path("a.mp4"), settings);
-    writer->add(frame(0));
-    EXPECT_THROW(writer->finish(), Impatience);
-  }
-  std::filesystem::remove_all(path("bin/ffmpeg"));
-  EXPECT_EQ(output_of("ls -A " + folder.string()), "bin");
-  EXPECT_EQ(output_of("kill -0 $(cat " + path("bin/pid") + ") 2>&1 && echo alive").find("alive"),
-            std::string::npos);
-}
-
-TEST_F(FakeFfmpeg, ThatNeverReadsIsGivenUp) {
-  install("exec sleep 1000");
-  settings.width = 1920;
-  settings.height = 1080;
-  settings.while_waiting = short_patience();
-  const auto writer = make_animation_writer(path("a.mp4"), settings);
-  const Image picture(settings.width, settings.height);
-  EXPECT_THROW(
-      {
-        for (int i = 0; i < 20; ++i)
-          writer->add(picture);
-      },
-      Impatience);
-}
-
-TEST_F(FakeFfmpeg, GetsNothingThroughAShell) {
-  const std::string name = "a'; touch injected; '.mp4";
-  write(name, 2);
-  EXPECT_TRUE(std::filesystem::exists(path(name)));
-  EXPECT_FALSE(std::filesystem::exists("injected"));
-}
-
 }  // namespace
 }  // namespace wuerfel::internal

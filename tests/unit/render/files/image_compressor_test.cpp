@@ -10,7 +10,7 @@
 
 #include "render/files/png.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr std::array encoders{PngEncoder::isa_l, PngEncoder::libpng};
@@ -115,4 +115,4 @@ TEST(ImageCompressor, RemembersNothingOfThePictureBefore) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -9,7 +9,7 @@
 
 #include "render/picture/style.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 using Rgb = std::array<double, 3>;
@@ -81,35 +81,41 @@ TEST(ColorVision, MeasureKnowsWhatCannotBeToldApart) {
   EXPECT_NEAR(difference(rgb(0x000000), rgb(0xFFFFFF), visions()[0]), 100.0, 0.1);
 }
 
+using Meanings = std::vector<std::pair<std::string, Color>>;
+
+void expect_apart(const Meanings& meanings, const Vision& vision) {
+  for (std::size_t i = 0; i < meanings.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_GE(difference(meanings[i].second, meanings[j].second, vision), 15.0)
+          << meanings[i].first << " and " << meanings[j].first;
+    }
+  }
+}
+
 TEST(ColorVision, MeaningsDifferByAtLeast15) {
   for (const Theme theme : {Theme::light, Theme::dark, Theme::transparent}) {
     const Style style = make_style(theme);
-    const std::vector<std::pair<std::string, Color>> meanings{
-        {"contact", style.contact},
-        {"friction", style.friction},
-        {"tension", style.tension},
-        {"compression", style.compression},
-        {"velocity", style.velocity},
-        {"acceleration", style.acceleration},
-        {"weight", style.own_weight},
-        {"thrust", style.thrust},
-        {"whisker", style.whisker},
-        {"mechanism", style.mechanism},
-        {"cause", style.cause},
-        {"normal", style.normal},
-        {"positive side", style.positive_side},
-        {"negative side", style.negative_side}};
+    const Meanings meanings{{"contact", style.contact},
+                            {"friction", style.friction},
+                            {"tension", style.tension},
+                            {"compression", style.compression},
+                            {"velocity", style.velocity},
+                            {"acceleration", style.acceleration},
+                            {"weight", style.own_weight},
+                            {"thrust", style.thrust},
+                            {"whisker", style.whisker},
+                            {"mechanism", style.mechanism},
+                            {"cause", style.cause},
+                            {"normal", style.normal},
+                            {"positive side", style.positive_side},
+                            {"negative side", style.negative_side}};
     for (const Vision& vision : visions()) {
-      for (std::size_t i = 0; i < meanings.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-          EXPECT_GE(difference(meanings[i].second, meanings[j].second, vision), 15.0)
-              << to_string(theme) << ", " << vision.name << ": " << meanings[i].first << " and "
-              << meanings[j].first;
-        }
-      }
+      SCOPED_TRACE(vision.name);
+      SCOPED_TRACE(to_string(theme));
+      expect_apart(meanings, vision);
     }
   }
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

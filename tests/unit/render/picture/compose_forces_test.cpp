@@ -11,7 +11,7 @@
 #include "render/picture/units.h"
 #include "tests/unit/render/picture/composition.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST_F(Composition, ArrowLengthsAreProportionalToForces) {
@@ -255,7 +255,7 @@ TEST_F(Composition, FreeBodiesShowBothForcesOfEachPair) {
 }
 
 TEST_F(Composition, WhiskersReachFromTheLeastForceToTheMost) {
-  snapshot = test::failing_snapshot();
+  snapshot = failing_snapshot();
   const auto whiskers = [&](const DrawList& list) {
     std::vector<SegmentShape> found;
     std::ranges::copy_if(list.segments, std::back_inserter(found), [&](const SegmentShape& s) {
@@ -281,7 +281,7 @@ TEST_F(Composition, WhiskersReachFromTheLeastForceToTheMost) {
 }
 
 TEST_F(Composition, WhiskersStandAtCornerForcesToo) {
-  snapshot = test::failing_snapshot();
+  snapshot = failing_snapshot();
   const DrawList list = compose({Layer::cubes, Layer::contact_forces, Layer::whiskers});
   EXPECT_EQ(std::ranges::count_if(
                 list.segments,
@@ -290,4 +290,4 @@ TEST_F(Composition, WhiskersStandAtCornerForcesToo) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

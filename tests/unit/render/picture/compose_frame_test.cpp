@@ -13,7 +13,7 @@
 #include "render/raster/renderer.h"
 #include "tests/unit/render/picture/composition.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST_F(Composition, NamesThatDoNotFitAreLeftOutAndCounted) {
@@ -50,7 +50,7 @@ TEST_F(Composition, MassesHaveAreasProportionalToThem) {
 }
 
 TEST_F(Composition, TrianglesOfEquation2ShowTheirSign) {
-  snapshot = test::two_cubes_snapshot();
+  snapshot = two_cubes_snapshot();
   const DrawList list = compose({Layer::sides});
   ASSERT_EQ(list.triangles.size(), 2U);
   EXPECT_EQ(list.triangles[0].outline, style.positive_side);
@@ -92,7 +92,7 @@ TEST_F(Composition, ContactsAndPointsArePaintedOverArrows) {
 }
 
 TEST(BodyColors, TellLoadsSpeedsAndIslands) {
-  Snapshot snapshot = test::pyramid_snapshot();
+  Snapshot snapshot = pyramid_snapshot();
   const Style style = make_style(Theme::light);
   const auto loads_of = loads(snapshot);
   EXPECT_DOUBLE_EQ(loads_of[1], 20.0);
@@ -169,7 +169,7 @@ TEST_F(Composition, InstanceMasksAreNumbersAndWholePixels) {
   Renderer renderer;
   Image image;
   options.layers = {Layer::instances};
-  view = test::literal_view(snapshot, style, options, 320, 180);
+  view = literal_view(snapshot, style, options, 320, 180);
   renderer.draw(compose_frame(snapshot, view, style, options, font), image);
   const Vec2 middle = view.to_pixel(Vec2(2.0, 0.5));
   const Color color = image.at(static_cast<int>(middle.x()), static_cast<int>(middle.y()));
@@ -190,4 +190,4 @@ TEST_F(Composition, InstanceMasksAreNumbersAndWholePixels) {
 // As long as the difference of two arrows, and beside the one that is drawn.
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -10,14 +10,14 @@
 #include "render/picture/labels.h"
 #include "tests/unit/render/picture/composition.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST_F(Composition, HudStaysInsideThePictureAtEverySize) {
   for (const auto& [width, height] :
        {std::pair(1280, 720), std::pair(320, 180), std::pair(200, 400)}) {
     options.layers = default_layers;
-    view = test::literal_view(snapshot, style, options, width, height);
+    view = literal_view(snapshot, style, options, width, height);
     const DrawList list = compose_frame(snapshot, view, style, options, font);
     ASSERT_GE(list.texts.size(), 2U);
     for (const TextShape& text : list.texts) {
@@ -55,7 +55,7 @@ TEST_F(Composition, LinesAndTextGrowWithThePicture) {
   options.layers = default_layers;
   const auto title_size = [&](int width, int height, double scale) {
     options.scale = scale;
-    view = test::literal_view(snapshot, style, options, width, height);
+    view = literal_view(snapshot, style, options, width, height);
     return compose_frame(snapshot, view, style, options, font).texts.front().size;
   };
   const float normal = title_size(1280, 720, 1.0);
@@ -88,7 +88,7 @@ TEST_F(Composition, HudHasAPlateBehindIt) {
 
 TEST_F(Composition, PlatesHaveTheColoursOfWhatTheyHide) {
   // The edge of a wall runs through the title: ground on its left, background on its right.
-  view = test::literal_view(snapshot, style, options, 640, 360);
+  view = literal_view(snapshot, style, options, 640, 360);
   const Vec2 place = view.to_world(Vec2(60.0, 20.0));
   snapshot.planes.push_back({"wall", place, Vec2::UnitX()});
   options.layers = {Layer::cubes, Layer::hud};
@@ -161,7 +161,7 @@ TEST_F(Composition, LegendEntriesWithoutRoomAreCounted) {
     all.insert(layer);
   options.layers = all;
   const auto left_out = [&](int width) {
-    view = test::literal_view(snapshot, style, options, width, 360);
+    view = literal_view(snapshot, style, options, width, 360);
     return compose_frame(snapshot, view, style, options, font).legend_left_out;
   };
   EXPECT_EQ(left_out(1280), 0);
@@ -172,7 +172,7 @@ TEST_F(Composition, TwoRowsOfALegendAreAboutAsLongAsEachOther) {
   options.legend = {LegendEntry::contact, LegendEntry::friction, LegendEntry::cut,
                     LegendEntry::several, LegendEntry::hidden,   LegendEntry::impact};
   options.layers = {Layer::contact_forces, Layer::forces, Layer::weights, Layer::hud};
-  view = test::literal_view(snapshot, style, options, 1000, 500);
+  view = literal_view(snapshot, style, options, 1000, 500);
   const DrawList list = compose_frame(snapshot, view, style, options, font);
   ASSERT_EQ(list.legend_left_out, 0);
   std::map<float, double> end_of_row;
@@ -191,7 +191,7 @@ TEST_F(Composition, TwoRowsOfALegendAreAboutAsLongAsEachOther) {
 TEST_F(Composition, TheLegendNamesSidesMassesAndWhiskers) {
   const auto says = [&](Layers layers, std::string_view what) {
     options.layers = layers;
-    view = test::literal_view(snapshot, style, options, 1280, 720);
+    view = literal_view(snapshot, style, options, 1280, 720);
     const DrawList list = compose_frame(snapshot, view, style, options, font);
     return std::ranges::any_of(list.texts,
                                [&](const TextShape& text) { return text.text == what; });
@@ -261,7 +261,7 @@ TEST_F(Composition, TimeAndEnergyNeverMeet) {
 
 TEST_F(Composition, PartsOfTheHudAreDroppedWhereThereIsNoRoom) {
   for (const auto& [width, height] : {std::pair(64, 64), std::pair(100, 16), std::pair(201, 77)}) {
-    view = test::literal_view(snapshot, style, options, width, height);
+    view = literal_view(snapshot, style, options, width, height);
     const DrawList list = compose_frame(snapshot, view, style, options, font);
     EXPECT_TRUE(list.texts.empty()) << width;
     EXPECT_GT(view.pixels_per_metre, 2.0) << "the scene is seen";
@@ -269,4 +269,4 @@ TEST_F(Composition, PartsOfTheHudAreDroppedWhereThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -11,7 +11,7 @@
 #include "render/picture/compose_frame.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 
 inline bool is_upright(const SegmentShape& s) { return s.from.x == s.to.x && s.from.y != s.to.y; }
 
@@ -19,7 +19,7 @@ class Composition : public ::testing::Test {
  protected:
   DrawList compose(Layers layers) {
     options.layers = layers;
-    view = test::literal_view(snapshot, style, options, 640, 360);
+    view = literal_view(snapshot, style, options, 640, 360);
     return compose_frame(snapshot, view, style, options, font);
   }
   /// Arrows of a colour without their halos.
@@ -31,9 +31,9 @@ class Composition : public ::testing::Test {
     return found;
   }
 
-  Snapshot snapshot = test::pyramid_snapshot();
+  Snapshot snapshot = pyramid_snapshot();
   Style style = make_style(Theme::light);
-  FrameOptions options = test::literal_options(default_layers);
+  FrameOptions options = literal_options(default_layers);
   View view;
   Font font;
 };
@@ -43,4 +43,4 @@ inline double length(const ArrowShape& arrow) {
                     static_cast<double>(arrow.tip.y - arrow.tail.y));
 }
 
-}  // namespace wuerfel
+}  // namespace wuerfel::test

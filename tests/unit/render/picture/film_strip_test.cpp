@@ -5,7 +5,7 @@
 #include "render/error.h"
 #include "render/raster/renderer.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST(FilmStrip, TimesAreEvenAndIncludeBothEnds) {
@@ -15,9 +15,8 @@ TEST(FilmStrip, TimesAreEvenAndIncludeBothEnds) {
 
 TEST(FilmStrip, CellsDoNotTouchAndHaveTheirCaptionsBelow) {
   const StripLayout layout = strip_layout({3, 2}, 640, 360, 1.0);
-  std::vector<std::string> captions;
-  for (int i = 0; i < 6; ++i)
-    captions.push_back("t = " + std::to_string(i) + " s");
+  const std::vector<std::string> captions{"t = 0 s", "t = 1 s", "t = 2 s",
+                                          "t = 3 s", "t = 4 s", "t = 5 s"};
   const Style style = make_style(Theme::light);
   Renderer renderer;
   Image page;
@@ -54,4 +53,4 @@ TEST(FilmStrip, NumbersBeyondReasonAreErrorsAndNoOverflows) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// One cube of side 2 m that weighs so much, on a floor that pushes with these forces.
@@ -118,4 +118,4 @@ TEST(JointArrow, EndsAtTheJointAndStaysInsideTheBodyThatPushes) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -4,7 +4,7 @@
 
 #include "render/picture/style.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST(Layers, NameThemselvesInTheirOrder) {
@@ -38,4 +38,4 @@ TEST(Style, ArrowColoursAreAbsentFromThePalette) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

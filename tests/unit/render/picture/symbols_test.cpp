@@ -8,14 +8,14 @@
 #include "render/picture/labels.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 class Symbols : public ::testing::Test {
  protected:
   /// The corner of a turned cube above the middle of a side, as in Figure 5.
   static Snapshot corner_on_side() {
-    Snapshot snapshot = test::two_cubes_snapshot();
+    Snapshot snapshot = two_cubes_snapshot();
     snapshot.sides.clear();
     snapshot.boxes[0].velocity = Vec2(0.0, 0.25);
     snapshot.contacts.push_back({Vec2(-0.5, 0.5), Vec2(0.5, 0.5), Vec2(0.25, 0.5), Vec2::UnitY(),
@@ -24,7 +24,7 @@ class Symbols : public ::testing::Test {
   }
   DrawList compose(Layers layers) {
     options.layers = layers;
-    view = test::literal_view(snapshot, style, options, 800, 450);
+    view = literal_view(snapshot, style, options, 800, 450);
     return compose_frame(snapshot, view, style, options, font);
   }
   /// All that is written, from left to right as it was added.
@@ -37,7 +37,7 @@ class Symbols : public ::testing::Test {
 
   Snapshot snapshot = corner_on_side();
   Style style = make_style(Theme::light);
-  FrameOptions options = test::literal_options(default_layers);
+  FrameOptions options = literal_options(default_layers);
   View view;
   Font font;
 };
@@ -87,21 +87,21 @@ TEST_F(Symbols, MakeVelocitiesThoseOfThePoints) {
 }
 
 TEST_F(Symbols, TellTheSignsOfAreas) {
-  snapshot = test::two_cubes_snapshot();
+  snapshot = two_cubes_snapshot();
   const std::string all = written(compose({Layer::cubes, Layer::sides, Layer::symbols}));
   for (const char* wanted : {"A 1  > 0", "A 2  < 0", "A = 0"})
     EXPECT_NE(all.find(wanted), std::string::npos) << wanted << " in " << all;
 }
 
 TEST_F(Symbols, NameOneAreaByItsLetterAlone) {
-  snapshot = test::two_cubes_snapshot();
+  snapshot = two_cubes_snapshot();
   snapshot.sides.resize(1);
   const std::string all = written(compose({Layer::cubes, Layer::sides, Layer::symbols}));
   EXPECT_NE(all.find("A > 0"), std::string::npos) << all;
 }
 
 TEST_F(Symbols, TakeTheRoundingOfATouchingCornerForZero) {
-  snapshot = test::two_cubes_snapshot();
+  snapshot = two_cubes_snapshot();
   snapshot.sides.resize(1);
   SnapshotSide& side = snapshot.sides[0];
   side.area = -1e-12 * (side.p_j - side.p_i).squaredNorm();
@@ -114,9 +114,10 @@ TEST_F(Symbols, TellMassesAsSharesOfTheCube) {
   snapshot.boxes.resize(1);
   snapshot.boxes[0].mass = 3.0;
   snapshot.contacts.clear();
-  for (const double x : {-0.5, 0.5})
+  for (const double x : {-0.5, 0.5}) {
     for (const double y : {-0.5, 0.5})
       snapshot.points.push_back({Vec2(x, y), 0.25});
+  }
   snapshot.points.push_back({Vec2::Zero(), 2.0});
   const std::string all = written(compose({Layer::cubes, Layer::points, Layer::symbols}));
   EXPECT_EQ(all, "m/12 m/12 m/12 m/12 2m/3 ");
@@ -148,4 +149,4 @@ TEST_F(Symbols, LieOnNothingElse) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST(Units, HavePrefixesBothWays) {
@@ -35,4 +35,4 @@ TEST(Units, TimesHaveTheDigitsThatTellFramesApart) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -6,7 +6,7 @@
 
 #include "render/error.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr double rounding = 1e-9;
@@ -104,4 +104,4 @@ TEST(Bounds, ReachTheNearGroundButNotTheFarOne) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -15,7 +15,7 @@
 #include "render/raster/draw_frame.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 /// A film that only counts, or fails at a frame.
@@ -45,7 +45,7 @@ class Pipeline : public ::testing::Test {
  protected:
   /// The literal pyramid with one cube moved by `step` centimetres.
   static Snapshot moved(int step) {
-    Snapshot snapshot = test::pyramid_snapshot();
+    Snapshot snapshot = pyramid_snapshot();
     snapshot.boxes[6].center.y() -= 0.01 * step;
     snapshot.time = 0.1 * step;
     snapshot.revision = static_cast<std::uint64_t>(step);
@@ -64,7 +64,7 @@ class Pipeline : public ::testing::Test {
 
   View view = fixed_view(Vec2(0.0, 2.0), 10.0, 160, 90);
   PipelineSettings settings{make_style(Theme::light),
-                            test::literal_options({Layer::cubes, Layer::forces}),
+                            literal_options({Layer::cubes, Layer::forces}),
                             {},
                             PngEncoder::isa_l};
 };
@@ -234,4 +234,4 @@ TEST_F(Pipeline, MemoryDoesNotGrowWithTheNumberOfFrames) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -52,11 +52,13 @@ class InChanges : public ::testing::Test {
     before = image;
   }
 
+  // Contexts are made once for all tests. NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
   static inline std::unique_ptr<Renderer> changing;
   static inline std::unique_ptr<Renderer> fresh;
   static inline Image before;
   static inline std::array<Image, 2> images;
   static inline std::array<std::optional<RowSet>, 2> stale;
+  // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 };
 
 TEST_F(InChanges, FramesOfAFilmAreAsIfDrawnAlone) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 constexpr Color grey = rgb(0x808080);
@@ -88,4 +88,4 @@ TEST(SideBySide, HoldsBothPicturesAndTheirDifference) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -4,7 +4,7 @@
 
 #include "render/error.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 TEST(Image, OfImpossibleSizesIsAnError) {
@@ -49,4 +49,4 @@ TEST(Color, MixMeetsBothEnds) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

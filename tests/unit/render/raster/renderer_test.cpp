@@ -11,7 +11,7 @@
 #include "render/raster/draw_frame.h"
 #include "tests/support/image_scenes.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
 Renderer& shared_renderer() {
@@ -186,13 +186,13 @@ TEST(Renderer, TransparentPictureHasStraightAlpha) {
 
 TEST(Renderer, OpaquePictureStaysOpaque) {
   Image image;
-  const Snapshot snapshot = test::pyramid_snapshot();
+  const Snapshot snapshot = pyramid_snapshot();
   const Style style = make_style(Theme::light);
   const FrameOptions options =
-      test::literal_options({Layer::cubes, Layer::sides, Layer::forces, Layer::trails, Layer::rods,
-                             Layer::names, Layer::hud});
-  draw_frame(shared_renderer(), snapshot, test::literal_view(snapshot, style, options, 640, 360),
-             style, options, image);
+      literal_options({Layer::cubes, Layer::sides, Layer::forces, Layer::trails, Layer::rods,
+                       Layer::names, Layer::hud});
+  draw_frame(shared_renderer(), snapshot, literal_view(snapshot, style, options, 640, 360), style,
+             options, image);
   EXPECT_TRUE(image.opaque());
 }
 
@@ -200,11 +200,11 @@ class Pyramid : public ::testing::Test {
  protected:
   Image drawn(const View& shown, Layers layers) {
     Image image;
-    FrameOptions options = test::literal_options(layers);
+    FrameOptions options = literal_options(layers);
     draw_frame(shared_renderer(), snapshot, shown, style, options, image);
     return image;
   }
-  Snapshot snapshot = test::pyramid_snapshot();
+  Snapshot snapshot = pyramid_snapshot();
   Style style = make_style(Theme::light);
   View view = fixed_view(Vec2(0.0, 1.5), 10.0, 640, 360);  // 64 px per metre: exact in binary
 };
@@ -283,4 +283,4 @@ TEST_F(Pyramid, MirroredSceneIsTheMirroredPicture) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test

@@ -18,18 +18,18 @@
 #include "tests/support/image_scenes.h"
 #include "tests/support/own_folder.h"
 
-namespace wuerfel {
+namespace wuerfel::test {
 namespace {
 
-class VectorFigure : public test::OwnFolder {
+class VectorFigure : public OwnFolder {
  protected:
   DrawList compose(Theme theme, Layers layers) {
     const bool sides = layers.has(Layer::sides);
-    const Snapshot snapshot = sides ? test::two_cubes_snapshot() : test::pyramid_snapshot();
+    const Snapshot snapshot = sides ? two_cubes_snapshot() : pyramid_snapshot();
     const Style style = make_style(theme);
-    const FrameOptions options = test::literal_options(layers);
-    return compose_frame(snapshot, test::literal_view(snapshot, style, options, 640, 360), style,
-                         options, font);
+    const FrameOptions options = literal_options(layers);
+    return compose_frame(snapshot, literal_view(snapshot, style, options, 640, 360), style, options,
+                         font);
   }
 
   void write(const std::string& name, const DrawList& list) {
@@ -213,4 +213,4 @@ TEST_F(VectorFigure, FormatIsToldBySuffix) {
 }
 
 }  // namespace
-}  // namespace wuerfel
+}  // namespace wuerfel::test
