@@ -45,10 +45,12 @@ TEST_P(WorkInOrder, DeliversAllBeforeTheItemThatFails) {
     if (n == 20) throw std::runtime_error("twenty");
     return n;
   };
-  EXPECT_THROW(work_in_order(
-                   {GetParam()}, [&] { return std::optional(i++); }, fail_at_20,
-                   [&](int n) { delivered.push_back(n); }),
-               std::runtime_error);
+  const auto fails = [&] {
+    work_in_order(
+        {GetParam()}, [&] { return std::optional(i++); }, fail_at_20,
+        [&](int n) { delivered.push_back(n); });
+  };
+  EXPECT_THROW(fails(), std::runtime_error);
   ASSERT_EQ(delivered.size(), 20U);
   EXPECT_EQ(delivered.back(), 19);
 }
@@ -56,22 +58,26 @@ TEST_P(WorkInOrder, DeliversAllBeforeTheItemThatFails) {
 TEST_P(WorkInOrder, StopsWhereDeliveringOrFetchingFails) {
   int i = 0;
   const auto same = [](int n) { return n; };
-  EXPECT_THROW(work_in_order(
-                   {GetParam()}, [&] { return std::optional(i++); }, same,
-                   [](int n) {
-                     if (n == 5) throw std::logic_error("five");
-                   }),
-               std::logic_error);
+  const auto delivers = [&] {
+    work_in_order(
+        {GetParam()}, [&] { return std::optional(i++); }, same,
+        [](int n) {
+          if (n == 5) throw std::logic_error("five");
+        });
+  };
+  EXPECT_THROW(delivers(), std::logic_error);
   int delivered = 0;
   i = 0;
-  EXPECT_THROW(work_in_order(
-                   {GetParam()},
-                   [&] {
-                     if (i == 7) throw std::logic_error("seven");
-                     return std::optional(i++);
-                   },
-                   same, [&](int) { ++delivered; }),
-               std::logic_error);
+  const auto fetches = [&] {
+    work_in_order(
+        {GetParam()},
+        [&] {
+          if (i == 7) throw std::logic_error("seven");
+          return std::optional(i++);
+        },
+        same, [&](int) { ++delivered; });
+  };
+  EXPECT_THROW(fetches(), std::logic_error);
   EXPECT_EQ(delivered, 7);
 }
 
@@ -81,21 +87,25 @@ TEST_P(WorkInOrder, EndsWhenThePulseThrows) {
   const Workforce impatient{GetParam(), [&] {
                               if (++beats == 3) throw std::runtime_error("enough");
                             }};
-  EXPECT_THROW(work_in_order(
-                   impatient, [] { return std::optional(1); },
-                   [&](int) {
-                     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-                     return ++worked;
-                   },
-                   [](int) {}),
-               std::runtime_error);
+  const auto beat = [&] {
+    work_in_order(
+        impatient, [] { return std::optional(1); },
+        [&](int) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+          return ++worked;
+        },
+        [](int) {});
+  };
+  EXPECT_THROW(beat(), std::runtime_error);
 }
 
 TEST_P(WorkInOrder, ChecksManyScenesAsOneByOne) {
   std::vector<Scene> scenes;
-  for (int i = 0; i < 40; ++i)
+  scenes.reserve(40);
+  for (int i = 0; i < 40; ++i) {
     scenes.push_back(parse_scene(R"({"plane":[{}],"tower":[{"count":6,"base":[0,0]}]})", "t",
                                  {"tower.1.lean=" + std::to_string(0.01 * i)}));
+  }
   scenes[7].cubes[1].position = scenes[7].cubes[0].position;  // overlap
   const auto attempts = check_many(scenes, {}, {GetParam()});
   ASSERT_EQ(attempts.size(), scenes.size());
