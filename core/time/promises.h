@@ -23,7 +23,7 @@ inline constexpr double promised_momentum_of_steps = 1e-4;
 inline constexpr double promised_momentum_of_first_order = 1e-2;
 /// Share of the momenta that fixed bodies may give beyond the impulses of programs, times 1 + t V / L, which is what weights
 /// do meanwhile: from event to event; where steps were taken; where these bounce; and where they are of the first order.
-inline constexpr double promised_settled = 1e-5;
+inline constexpr double promised_settled = 1e-3;
 inline constexpr double promised_settled_of_steps = 1e-2;
 inline constexpr double promised_settled_of_bounces = 1e-1;
 inline constexpr double promised_settled_of_first_order = 1.0;

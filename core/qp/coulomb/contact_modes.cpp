@@ -29,6 +29,28 @@ void ContactPoint::recompute(const ContactForm& form) {
   }
 }
 
+double largest_force(const ContactForm& form, const std::vector<Pair>& l) {
+  double force = 0.0;
+  for (int i = 0; i < form.count(); ++i) {
+    const Pair& norm = form.units()[i].norm;
+    force = std::max({force, std::abs(l[i].n) * norm.n, std::abs(l[i].t) * norm.t});
+  }
+  return force;
+}
+
+void go_on(const ContactForm& form,
+           const std::vector<Pair>& start,
+           double times,
+           double most,
+           std::vector<Pair>& l) {
+  std::vector<Pair> way = l;
+  for (std::size_t i = 0; i < way.size(); ++i)
+    way[i] = {l[i].n - start[i].n, l[i].t - start[i].t};
+  times = std::min(times, most / largest_force(form, way));
+  for (std::size_t i = 0; i < way.size(); ++i)
+    l[i] = {l[i].n + times * way[i].n, l[i].t + times * way[i].t};
+}
+
 double missed_by(const ContactForm& form,
                  const std::vector<ContactMode>& modes,
                  const ContactPoint& point) {

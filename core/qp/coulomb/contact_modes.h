@@ -39,6 +39,14 @@ struct ContactPoint {
   void recompute(const ContactForm& form);
 };
 
+/// The largest of these forces, normal or tangential.
+double largest_force(const ContactForm& form, const std::vector<Pair>& l);
+/// Moves forces on along their way from `start`, so many times its length, but none by more than `most`.
+void go_on(const ContactForm& form,
+           const std::vector<Pair>& start,
+           double times,
+           double most,
+           std::vector<Pair>& l);
 /// What rows in force miss, relative to the largest velocity.
 double missed_by(const ContactForm& form,
                  const std::vector<ContactMode>& modes,

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int known_factorisations = 12;   ///< of newton from remembered modes
 constexpr int guessed_factorisations = 4;  ///< from none
+constexpr double soft_delta = 1e-2;        ///< from which wrong modes do no harm
 constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 8;
 constexpr int unsure_seeds = 4;  ///< where no solution need exist
@@ -139,7 +140,7 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
     const bool slides = known && any_slips(stages.modes);
     if (known) {
       start(keys);
-      if (stages.newton_softly(friction, result)) return true;
+      if (stages.harden(friction, soft_delta, CoulombStage::newton, result)) return true;
       start(keys);
       if (stages.follow_shortly(friction, result)) return true;
     }

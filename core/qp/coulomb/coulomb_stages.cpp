@@ -13,7 +13,6 @@ constexpr double convex_tolerance = 1e-12;
 constexpr double worth_settling = 1e-4;  ///< of an interior point
 constexpr double interior_goal = 1e-7;   ///< where pairs vanish together no more is to be had
 constexpr double large_delta = 1e-4;     ///< of settling at first
-constexpr double soft_delta = 1e-2;
 constexpr int settling_factorisations = 40;
 constexpr double near_margin = 1e-9;
 constexpr double near_velocity_margin = 1e-4;  ///< times the compliance
@@ -21,14 +20,13 @@ constexpr double near_delta_fall = 0.1;
 constexpr int most_near_crossings = 100;
 constexpr double leap_delta = 3e-9;
 constexpr int most_leaping_steps = 30;
-constexpr double slow_share = 0.9;   ///< of what rows miss that a step leaves
-constexpr double first_leap = 10.0;  ///< steps at once
+constexpr double slow_share = 0.9;  ///< of what rows miss that a step leaves
 constexpr double leap_growth = 10.0;
+constexpr double most_leap_force = 1e4;     ///< by which a leap changes forces, in weights
 constexpr double most_leap_misses = 100.0;  ///< times what was missed before
 constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
-constexpr int most_crossed_units =
-    200;  ///< beyond them a crossing costs as much as an interior step
+constexpr int most_crossed_units = 200;  ///< beyond them it costs as much as an interior step
 constexpr int crossings_per_contact = 12;
 constexpr int most_crossings = 3000;
 constexpr int most_proximal_steps = 8;
@@ -70,17 +68,20 @@ bool CoulombStages::certificate(const FrictionProgram& friction, CoulombResult& 
   return passed;
 }
 
+ModeNewtonEffort CoulombStages::newton_effort(double delta, int most_factorisations) const {
+  return {.delta = delta,
+          .least_delta = usual_delta,
+          .most_factorisations = most_factorisations,
+          .most_force = most_leap_force * scales_.weight};
+}
+
 bool CoulombStages::newton(const FrictionProgram& friction,
                            int most_factorisations,
                            CoulombResult& result) {
-  const ModeNewtonOutcome outcome = mode_newton_.run(
-      form_, modes, point, {.delta = usual_delta, .most_factorisations = most_factorisations});
+  const ModeNewtonOutcome outcome =
+      mode_newton_.run(form_, modes, point, newton_effort(usual_delta, most_factorisations));
   result.factorisations += outcome.factorisations;
   return outcome.settled && judge_point(friction, CoulombStage::newton, result);
-}
-
-bool CoulombStages::newton_softly(const FrictionProgram& friction, CoulombResult& result) {
-  return harden(friction, soft_delta, CoulombStage::newton, result);
 }
 
 /// Newton's method from the point and its modes, with compliance that shrinks from `delta` on.
@@ -88,9 +89,8 @@ bool CoulombStages::harden(const FrictionProgram& friction,
                            double delta,
                            CoulombStage stage,
                            CoulombResult& result) {
-  const ModeNewtonOutcome outcome = mode_newton_.run(
-      form_, modes, point,
-      {.delta = delta, .least_delta = usual_delta, .most_factorisations = settling_factorisations});
+  const ModeNewtonOutcome outcome =
+      mode_newton_.run(form_, modes, point, newton_effort(delta, settling_factorisations));
   result.factorisations += outcome.factorisations;
   return judge_point(friction, stage, result);
 }
@@ -148,7 +148,7 @@ bool CoulombStages::relax(const FrictionProgram& friction, CoulombResult& result
   const std::vector<ContactMode> kept_modes = modes;
   const ContactPoint kept_point = point;
   const ModeNewtonOutcome outcome =
-      mode_newton_.run(form_, modes, point, {.delta = usual_delta, .most_factorisations = 5});
+      mode_newton_.run(form_, modes, point, newton_effort(usual_delta, 5));
   result.factorisations += outcome.factorisations;
   if (outcome.settled && judge_point(friction, CoulombStage::convex, result)) return true;
   modes = kept_modes;
@@ -224,7 +224,7 @@ bool CoulombStages::follow_near(const FrictionProgram& friction,
   const bool leaping = steps == NearSteps::leap;
   const double least_delta = leaping ? leap_delta : least_path_delta;
   std::vector<Pair> centre = point.l;
-  double leap = first_leap;
+  double leap = 1.0;  // steps at once
   double former = unbounded;
   ModePathEffort effort{
       .delta = path_delta, .most_crossings = most_near_crossings, .margin = near_margin};
@@ -242,11 +242,8 @@ bool CoulombStages::follow_near(const FrictionProgram& friction,
     const bool leaps =
         leaping && effort.delta == leap_delta && !leapt && missed > slow_share * former;
     if (leaps) {
-      for (std::size_t i = 0; i < centre.size(); ++i) {
-        centre[i].n += leap * (point.l[i].n - start[i].n);
-        centre[i].t += leap * (point.l[i].t - start[i].t);
-      }
       leap *= leap_growth;
+      go_on(form_, start, leap, most_leap_force * scales_.weight, centre);
     }
     effort.most_missed =
         leaps ? std::max(most_leap_misses * missed, settings_.tolerance) : unbounded;

@@ -25,8 +25,11 @@ class CoulombStages {
   /// Each true if the result is within the tolerance.
   bool certificate(const FrictionProgram& friction, CoulombResult& result);
   bool newton(const FrictionProgram& friction, int most_factorisations, CoulombResult& result);
-  /// Likewise, from so much compliance that wrong modes do no harm.
-  bool newton_softly(const FrictionProgram& friction, CoulombResult& result);
+  /// Newton's method with compliance that shrinks from `delta` on.
+  bool harden(const FrictionProgram& friction,
+              double delta,
+              CoulombStage stage,
+              CoulombResult& result);
   bool follow_shortly(const FrictionProgram& friction, CoulombResult& result);
   bool relax(const FrictionProgram& friction, CoulombResult& result);
   bool interior(const FrictionProgram& friction,
@@ -55,10 +58,7 @@ class CoulombStages {
 
  private:
   [[nodiscard]] bool rows_hold() const;
-  bool harden(const FrictionProgram& friction,
-              double delta,
-              CoulombStage stage,
-              CoulombResult& result);
+  [[nodiscard]] ModeNewtonEffort newton_effort(double delta, int most_factorisations) const;
   bool settle(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   enum class NearSteps { leap, stiffen };
   bool follow_near(const FrictionProgram& friction,

@@ -58,11 +58,7 @@ int revise_modes(const ContactForm& form,
                  const std::vector<Pair>& rest,
                  double noise,
                  std::vector<ContactMode>& modes) {
-  double force = 0.0;
-  for (int i = 0; i < form.count(); ++i) {
-    const ContactUnit& unit = form.units()[i];
-    force = std::max({force, std::abs(l[i].n) * unit.norm.n, std::abs(l[i].t) * unit.norm.t});
-  }
+  const double force = largest_force(form, l);
   int moved = 0;
   for (int i = 0; i < form.count(); ++i) {
     const ContactMode wanted =
@@ -103,24 +99,22 @@ void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
 ModeNewton::End ModeNewton::extrapolate(const ContactForm& form,
                                         std::vector<ContactMode>& modes,
                                         ContactPoint& point,
-                                        double most) {
+                                        double most,
+                                        double most_force) {
   const std::vector<Pair>& dl = system_.dl();
-  double largest = 0.0;
-  for (int i = 0; i < form.count(); ++i) {
-    const Pair& norm = form.units()[i].norm;
-    largest = std::max({largest, std::abs(dl[i].n) * norm.n, std::abs(dl[i].t) * norm.t});
-  }
+  const double largest = largest_force(form, dl);
   const auto rate_of = [&](double rate, double norm) {
     return std::abs(rate) * norm > least_rate * largest ? rate : 0.0;
   };
-  Crossing first{.step = most};
+  const double farthest = most_force / largest;
+  Crossing first{.step = std::min(most, farthest)};
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
     if (unit.equality || modes[i] == ContactMode::open) continue;
     const Pair rate = {rate_of(dl[i].n, unit.norm.n), rate_of(dl[i].t, unit.norm.t)};
     first.meet_cone(unit, modes[i], point.l[i], rate, i);
   }
-  if (!(first.step < unbounded)) return End::stuck;
+  if (first.step == farthest) return End::stuck;
   system_.move(first.step, point);
   centre_ = point.l;
   if (first.unit < 0) return End::slow;
@@ -154,7 +148,8 @@ ModeNewton::ProximalSteps ModeNewton::take_proximal_steps(const ContactForm& for
     }
     if (delta_ > effort.least_delta) return {End::slow};
     const double left = missed / former;
-    const End end = extrapolate(form, modes, point, left < 1.0 ? left / (1.0 - left) : unbounded);
+    const double most = left < 1.0 ? left / (1.0 - left) : unbounded;
+    const End end = extrapolate(form, modes, point, most, effort.most_force);
     if (end != End::slow) return {end, 1};
     former = unbounded;
   }

@@ -22,6 +22,9 @@ struct ModeNewtonEffort {
   Pivoting pivoting = Pivoting::none;
   double goal = 1e-12;  ///< what rows in force may miss, relative to the largest velocity
   int most_factorisations = 8;
+  /// By which forces may change at once where nothing resists them: the law is judged relative to the
+  /// largest, which could grow until everything is right.
+  double most_force = unbounded;
 };
 
 struct ModeNewtonOutcome {
@@ -55,7 +58,8 @@ class ModeNewton {
   End extrapolate(const ContactForm& form,
                   std::vector<ContactMode>& modes,
                   ContactPoint& point,
-                  double most);
+                  double most,
+                  double most_force);
   bool gets_on(const std::vector<ContactMode>& modes, int revised);
   void step(const ContactForm& form, ContactPoint& point);
   void find_missing(const ContactForm& form, const ContactPoint& point);
