@@ -142,7 +142,7 @@ Answer run(Job job, AnswerForm form, Notes& notes) {
   if (!asked.resume.empty()) resumed = read_checkpoint(asked.resume, origin);
   std::optional<ProgramFile> failed;
   if (!asked.failed_programs.empty()) failed.emplace(asked.failed_programs);
-  const MissedProgramListener listener([&failed](const QuadraticProgram& program) {
+  const MissedProgramListener listener([&failed](const FrictionProgram& program) {
     if (failed) failed->add(program);
   });
   Simulation simulation = begin(job, resumed);

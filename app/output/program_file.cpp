@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/exit_code.h"
+#include "core/qp/coulomb/coulomb_solver.h"
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
@@ -62,8 +63,36 @@ void add_rows(const Json& triplets,
   }
 }
 
-QuadraticProgram program_of(const Json& json) {
-  QuadraticProgram program;
+/// [normal row of J, tangential row of E or -1, mu, direction of slip]
+Json contacts_of(const FrictionProgram& friction) {
+  std::vector<int> number;  // of each row among those of its kind
+  int equalities = 0;
+  for (int i = 0; i < friction.program.rows(); ++i) {
+    const bool equality = friction.program.is_equality(i);
+    number.push_back(equality ? equalities : i - equalities);
+    if (equality) ++equalities;
+  }
+  Json contacts = Json::array();
+  for (const FrictionContact& c : friction.contacts) {
+    const int tangent = c.tangent < 0 ? -1 : number[c.tangent];
+    contacts.push_back({number[c.normal], tangent, c.mu, c.slides});
+  }
+  return contacts;
+}
+
+/// `equalities` come before the inequalities.
+FrictionContact contact_of(const Json& json, std::size_t equalities, std::size_t inequalities) {
+  FrictionContact contact;
+  contact.normal = static_cast<int>(equalities) + number_of(json.at(0), inequalities, "row of J");
+  if (json.at(1) != -1) contact.tangent = number_of(json.at(1), equalities, "row of E");
+  contact.mu = json.at(2).get<double>();
+  if (json.at(3) != 0) contact.slides = json.at(3) > 0 ? 1 : -1;
+  return contact;
+}
+
+KeptProgram program_of(const Json& json) {
+  KeptProgram kept;
+  QuadraticProgram& program = kept.program;
   constexpr std::size_t largest_block = 3;
   const int block_size = number_of(json.at("block_size"), largest_block + 1, "block_size");
   if (block_size == 0) throw UsageError("block_size is 1, 2 or 3");
@@ -73,27 +102,35 @@ QuadraticProgram program_of(const Json& json) {
   if (program.mass.size() > most_unknowns) throw UsageError("too many unknowns");
   add_rows(json.at("E_triplets"), json.at("d").get<std::vector<double>>(), true, program);
   add_rows(json.at("J_triplets"), json.at("b").get<std::vector<double>>(), false, program);
-  if (const std::string_view wrong = defect(program); !wrong.empty())
+  if (json.contains("contacts")) {
+    const std::size_t equalities = json.at("d").size();
+    for (const Json& contact : json.at("contacts"))
+      kept.contacts.push_back(contact_of(contact, equalities, json.at("b").size()));
+  }
+  const bool rubs = !kept.contacts.empty();
+  if (const std::string_view wrong = rubs ? defect(kept.view()) : defect(program); !wrong.empty())
     throw UsageError(std::string(wrong));
-  return program;
+  return kept;
 }
 
 }  // namespace
 
-std::string program_text(const QuadraticProgram& program) {
+std::string program_text(const FrictionProgram& friction) {
+  const QuadraticProgram& program = friction.program;
   Rows equalities = rows_of(program, true);
   Rows inequalities = rows_of(program, false);
-  const Json json{{"block_size", program.block_size},
-                  {"M_diag", program.mass},
-                  {"F", program.target},
-                  {"J_triplets", std::move(inequalities.triplets)},
-                  {"b", std::move(inequalities.bounds)},
-                  {"E_triplets", std::move(equalities.triplets)},
-                  {"d", std::move(equalities.bounds)}};
+  Json json{{"block_size", program.block_size},
+            {"M_diag", program.mass},
+            {"F", program.target},
+            {"J_triplets", std::move(inequalities.triplets)},
+            {"b", std::move(inequalities.bounds)},
+            {"E_triplets", std::move(equalities.triplets)},
+            {"d", std::move(equalities.bounds)}};
+  if (!friction.contacts.empty()) json["contacts"] = contacts_of(friction);
   return json.dump() + "\n";
 }
 
-QuadraticProgram parse_program(std::string_view text, const std::string& place) try {
+KeptProgram parse_program(std::string_view text, const std::string& place) try {
   return program_of(Json::parse(text));
 } catch (const Json::parse_error& error) {
   throw UsageError(fmt::format("{}: no program: no JSON from byte {} on", place, error.byte));
@@ -103,7 +140,7 @@ QuadraticProgram parse_program(std::string_view text, const std::string& place) 
   throw UsageError(fmt::format("{}: no program: {}", place, error.what()));
 }
 
-void ProgramFile::add(const QuadraticProgram& program) {
+void ProgramFile::add(const FrictionProgram& program) {
   if (programs_++ < most_programs) file_.write(program_text(program));
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/output/program_file.h"
+#include "core/qp/coulomb/coulomb_solver.h"
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
@@ -26,10 +27,25 @@ Json answer_of(QpMethod method, const QuadraticProgram& program) {
           {"iterations", result.iterations}};
 }
 
-Json replayed(const QuadraticProgram& program, int number) {
+/// What rubs has one solver.
+Json answer_of(const FrictionProgram& friction) {
+  CoulombResult result;
+  CoulombSolver().solve(friction, result);
+  return {{"solver", "coulomb"},
+          {"status", to_string(result.status)},
+          {"residual", result.residual.worst()},
+          {"iterations", result.factorisations + result.crossings}};
+}
+
+Json replayed(const KeptProgram& kept, int number) {
+  const QuadraticProgram& program = kept.program;
   Json answers = Json::array();
-  for (const QpMethod method : methods)
-    answers.push_back(answer_of(method, program));
+  if (kept.contacts.empty()) {
+    for (const QpMethod method : methods)
+      answers.push_back(answer_of(method, program));
+  } else {
+    answers.push_back(answer_of(kept.view()));
+  }
   return {{"program", number},
           {"unknowns", program.unknowns()},
           {"rows", program.rows()},

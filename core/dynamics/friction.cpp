@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dynamics/missed_programs.h"
 #include "core/qp/coulomb/restitution.h"
 
 namespace wuerfel {
@@ -91,7 +92,9 @@ IslandSolution FrictionDynamics::accelerations(const State& state,
     if (use[k] != SideUse::none) keys.push_back(all[k]);
   }
   solver_of(island, accelerations_).solve(builder_.friction_program(), result, keys);
-  return read(state, island, result);
+  IslandSolution solution = read(state, island, result);
+  keep_if_missed(solution);
+  return solution;
 }
 
 IslandSolution FrictionDynamics::impact(const State& state, const Island& island, double slow) {
@@ -115,6 +118,7 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
   }
   IslandSolution solution = read(state, island, result.solution);
   solution.restitution_factor = result.factor;
+  keep_if_missed(solution);  // nothing bounces then, so that bounds are those of the program
   return solution;
 }
 
@@ -126,7 +130,9 @@ IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
   CoulombSolver solver;
   CoulombResult result;
   solver.solve(builder_.friction_program(), result, keys_of(island));
-  return read(state, island, result);
+  IslandSolution solution = read(state, island, result);
+  keep_if_missed(solution);
+  return solution;
 }
 
 bool FrictionDynamics::rests(const State& still, const Island& island) {
@@ -146,6 +152,10 @@ IslandSolution FrictionDynamics::placement(const State& state,
   CoulombResult result;
   solver_of(island, motions_).solve(builder_.friction_program(), result, keys_of(island));
   return read(state, island, result);
+}
+
+void FrictionDynamics::keep_if_missed(const IslandSolution& solution) const {
+  if (solution.friction_inexact) MissedProgramListener::tell(builder_.friction_program());
 }
 
 }  // namespace wuerfel

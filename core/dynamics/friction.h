@@ -41,6 +41,9 @@ class FrictionDynamics {
   IslandSolution placement(const State& state,
                            const Island& island,
                            std::span<const Twist> targets);
+  /// Lets the last program be kept if the solution that is used misses Coulomb's law. Of placements the caller knows whether
+  /// it is; the others do so themselves.
+  void keep_if_missed(const IslandSolution& solution) const;
 
  private:
   using Solvers = std::map<int, std::unique_ptr<CoulombSolver>>;

@@ -87,7 +87,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
   solution.residual = result.residual.worst();
   solution.iterations = solution.skipped ? 0 : result.iterations;
   if (result.status != QpStatus::optimal && result.status != QpStatus::infeasible)
-    MissedProgramListener::tell(program);
+    MissedProgramListener::tell({program, {}});
   solution.forces.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
   solution.rods.assign(island.rods.size(), 0.0);

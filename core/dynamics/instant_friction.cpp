@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/dynamics/missed_programs.h"
 #include "core/dynamics/verdict.h"
 #include "core/qp/coulomb/coulomb_stages.h"
 #include "core/qp/coulomb/rest_program.h"
@@ -92,6 +93,7 @@ IslandSolution equilibrium(const ProgramBuilder& builder,
 IslandSolution exact_law(const ProgramBuilder& builder, const State& state, const Island& island) {
   CoulombResult result;
   CoulombSolver().solve(builder.friction_program(), result);
+  if (result.inexact()) MissedProgramListener::tell(builder.friction_program());
   IslandSolution solution = read(builder, state, island, result.x, result.multiplier);
   solution.status = result.status;
   solution.residual = result.residual.worst();

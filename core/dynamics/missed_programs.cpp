@@ -17,7 +17,7 @@ MissedProgramListener::MissedProgramListener(Hear hear) : hear_(std::move(hear))
 
 MissedProgramListener::~MissedProgramListener() { listener = nullptr; }
 
-void MissedProgramListener::tell(const QuadraticProgram& program) {
+void MissedProgramListener::tell(const FrictionProgram& program) {
   if (listener != nullptr) listener->hear_(program);
 }
 

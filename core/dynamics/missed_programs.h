@@ -3,20 +3,21 @@
 
 #include <functional>
 
-#include "core/qp/quadratic_program.h"
+#include "core/qp/coulomb/friction_program.h"
 
 namespace wuerfel {
 
 /// While it lives it is told of such programs of its thread. One at a time.
 class MissedProgramListener {
  public:
-  using Hear = std::function<void(const QuadraticProgram&)>;
+  using Hear = std::function<void(const FrictionProgram&)>;
   explicit MissedProgramListener(Hear hear);
   ~MissedProgramListener();
   MissedProgramListener(const MissedProgramListener&) = delete;
   MissedProgramListener& operator=(const MissedProgramListener&) = delete;
 
-  static void tell(const QuadraticProgram& program);
+  /// Without contacts where nothing rubs.
+  static void tell(const FrictionProgram& program);
 
  private:
   Hear hear_;

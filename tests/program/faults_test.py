@@ -234,6 +234,18 @@ class Replay(ProgramTest):
             self.assertIn("p.jsonl:2: no program: ", self.expect(2, "replay", "p.jsonl").stderr)
         self.expect(2, "replay", "nosuch.jsonl")
 
+    def test_what_rubs_is_solved_by_coulombs_law(self):
+        # A block pushed along the floor: J presses, E does not let it slide, friction 0.5.
+        block = {"block_size": 3, "M_diag": [1, 1, 0.2], "F": [6, -10, 0], "J_triplets": [[0, 1, 1]], "b": [0],
+                 "E_triplets": [[0, 0, 1], [1, 2, 1]], "d": [0, 0], "contacts": [[0, 0, 0.5, 0]]}
+        self.write(block)
+        answer = json.loads(self.expect(0, "replay", "p.jsonl", "--json").stdout)["answers"]
+        self.assertEqual([a["solver"] for a in answer], ["coulomb"])
+        self.assertLess(answer[0]["residual"], 1e-10)
+        for wrong in ([[1, 0, 0.5, 0]], [[0, 2, 0.5, 0]], [[0, 0, -0.5, 0]], [[0, -1, 0.5, 0]], [[0, 0, 0.5, 0], [0, 1, 0.5, 0]], [7], [[0]]):
+            self.write({**block, "contacts": wrong})
+            self.assertIn("p.jsonl:1: no program: ", self.expect(2, "replay", "p.jsonl").stderr)
+
     def test_what_a_run_missed_is_kept_told_and_solved_again(self):
         # A mass of 1e12 on one of 1: more than Newton's method alone can do.
         heavy = {"version": 1, "plane": [FLOOR], "cube": [{"name": "l", "position": [0, 0.5]}, {"name": "h", "position": [0.4, 1.5], "mass": 1e12}]}
@@ -245,6 +257,15 @@ class Replay(ProgramTest):
             status = {answer["solver"]: answer["status"] for answer in program["answers"]}
             self.assertEqual(status["newton"], "inaccurate")
             self.assertEqual(status["ipopt"], "optimal")
+
+    def test_programs_that_miss_coulombs_law_are_kept(self):
+        # A heavy hit inside a jammed wall: what the solver is known not to reach. Once it does, harder ones are to be found.
+        hit = {"version": 1, "material": {"friction": 2}, "plane": [FLOOR], "wall": [{"name": "w", "rows": 6, "columns": 6, "base": [0, 0]}],
+               "cube": [{"name": "ball", "position": [-6.2, 3.3], "velocity": [20, 0], "mass": 20}]}
+        done = self.expect(3, "run", self.scene(hit), "--until", "0.15", "--failed-programs", "p.jsonl", "--json", "--quiet")
+        self.assertGreater(json.loads(done.stdout)["audit"]["friction_inexact"], 0)
+        replayed = [json.loads(line) for line in self.expect(3, "replay", "p.jsonl", "--json").stdout.splitlines()]
+        self.assertIn("coulomb", [answer["solver"] for program in replayed for answer in program["answers"]])
 
     def test_a_run_that_solves_everything_keeps_none(self):
         self.expect(0, "run", self.scene(STANDING), "--failed-programs", "p.jsonl")

@@ -125,6 +125,7 @@ void Placement::place_island(const Island& island, State& state, Bookkeeping& bo
     targets.push_back({stride_->h * half.velocity, stride_->h * half.spin});
   }
   const IslandSolution straight = apart(island, targets, book);
+  work_->friction.keep_if_missed(straight);
   fly_half(island, straight, state);
   // Where something is struck within the step its order is one anyway.
   const double least = straight.least_pressing();
