@@ -39,12 +39,12 @@ std::string text_of(Promise promise, const Audit& audit) {
       return fmt::format("rods have lost their lengths, by up to {:.2g} of them",
                          audit.max_rod_error);
     case Promise::momentum:
-      if (audit.momentum_settled > audit.settled_budget)
+      if (audit.momentum_settled > audit.settled_budget) {
         return fmt::format(
             "what steps put right made fixed bodies give {:.2g} of the momenta, more than the "
-            "{:.2g} "
-            "that are promised; try a smaller --tolerance or --step",
+            "{:.2g} that are promised; try a smaller --tolerance or --step",
             audit.momentum_settled, audit.settled_budget);
+      }
       return fmt::format(
           "momenta changed by {:.2g} (linear) and {:.2g} (angular) of their size without a reason",
           audit.momentum_linear, audit.momentum_angular);

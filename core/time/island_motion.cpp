@@ -239,6 +239,21 @@ void IslandMotion::make_group(const State& state, const std::vector<int>& cubes,
   group.track->start(part, begin_, touching, std::move(rests), stepping);
 }
 
+/// To the end of the window, which ends where it takes too many pieces.
+void IslandMotion::move(Group& group, double limit) {
+  Track& track = *group.track;
+  for (int pieces = 0; track.clock() < end_; ++pieces) {
+    if (pieces == most_pieces) {
+      end_ = track.clock();
+      length_ = end_ - begin_;
+      return;
+    }
+    beat();
+    work_ += static_cast<long>(group.cubes.size());
+    track.advance(limit);
+  }
+}
+
 void IslandMotion::move_groups() {
   const State state = state_at(begin_);
   while (true) {
@@ -247,20 +262,9 @@ void IslandMotion::move_groups() {
     end_ = begin_ + length_;
     double limit = end_;
     if (alone) limit = forever;
-    for (Group& group : groups_) {
-      Track& track = *group.track;
-      for (int pieces = 0; track.clock() < end_; ++pieces) {
-        if (pieces == most_pieces) {
-          end_ = track.clock();
-          length_ = end_ - begin_;
-          break;
-        }
-        beat();
-        work_ += static_cast<long>(group.cubes.size());
-        track.advance(limit);
-      }
-      if (alone) end_ = track.clock();
-    }
+    for (Group& group : groups_)
+      move(group, limit);
+    if (alone) end_ = groups_.front().track->clock();
     if (alone || !join_those_that_met(state)) return;
   }
 }

@@ -48,6 +48,7 @@ class IslandMotion final : public Motion {
   State end_window();
   void begin_window(const State& state);
   void restart(const State& state);
+  void move(Group& group, double limit);
   void move_groups();
   [[nodiscard]] State state_at(double t);
   void regroup(const State& state, const Parts& parts);

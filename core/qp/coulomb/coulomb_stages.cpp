@@ -20,7 +20,7 @@ constexpr double near_delta_fall = 0.1;
 constexpr int most_near_crossings = 100;
 constexpr double leap_delta = 3e-9;
 constexpr int most_leaping_steps = 30;
-constexpr double slow_share = 0.9;  ///< of what rows miss that a step leaves
+constexpr double hardly_nearer = 0.9;  ///< of what rows miss that a step leaves
 constexpr double leap_growth = 10.0;
 constexpr double most_leap_force = 1e4;     ///< by which a leap changes forces, in weights
 constexpr double most_leap_misses = 100.0;  ///< times what was missed before
@@ -240,7 +240,7 @@ bool CoulombStages::follow_near(const FrictionProgram& friction,
     const bool leapt = effort.most_missed < unbounded;
     const double missed = missed_by(form_, modes, point);
     const bool leaps =
-        leaping && effort.delta == leap_delta && !leapt && missed > slow_share * former;
+        leaping && effort.delta == leap_delta && !leapt && missed > hardly_nearer * former;
     if (leaps) {
       leap *= leap_growth;
       go_on(form_, start, leap, most_leap_force * scales_.weight, centre);

@@ -172,17 +172,17 @@ double ModePath::longest_step(const ContactForm& form,
                               double direction,
                               double most) const {
   Crossing first;
-  const auto miss = [&](double rest, double rate, double scale, int i) {
-    const double sign = rate > 0.0 ? 1.0 : -1.0;
-    first.meet(most - sign * rest * scale, -sign * rate * scale, i, modes[i]);
+  const auto miss = [&](double rest, double grows, double scale, int i) {
+    const double sign = grows > 0.0 ? 1.0 : -1.0;
+    first.meet(most - sign * rest * scale, -sign * grows * scale, i, modes[i]);
   };
   for (int i = 0; i < form.count() && most < unbounded; ++i) {
     const ContactUnit& unit = form.units()[i];
-    const Pair& Gdy = system_.Gdy()[i];
+    const Pair& rate = system_.Gdy()[i];
     if (modes[i] != ContactMode::open)
-      miss(point.rest[i].n, -direction * Gdy.n, unit.per_velocity.n, i);
+      miss(point.rest[i].n, -direction * rate.n, unit.per_velocity.n, i);
     if (modes[i] == ContactMode::stick)
-      miss(point.rest[i].t, -direction * Gdy.t, unit.per_velocity.t, i);
+      miss(point.rest[i].t, -direction * rate.t, unit.per_velocity.t, i);
   }
   return first.step;
 }
