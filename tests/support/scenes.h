@@ -1,6 +1,7 @@
 /// Scenes that tests put together from cubes, and scenes posed.
 #pragma once
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -75,6 +76,18 @@ struct Mechanism {
   System system;
   State state;
 };
+
+/// Masses 1 and 0.5, rods 1 and 0.8, at rest at the angles 2 and 2.5 from below.
+inline Scene double_pendulum() {
+  const Vec2 p_1(std::sin(2.0), -std::cos(2.0));
+  const Vec2 p_2 = p_1 + 0.8 * Vec2(std::sin(2.5), -std::cos(2.5));
+  Scene scene;
+  scene.points.push_back({"one", 1.0, p_1, Vec2::Zero(), {}});
+  scene.points.push_back({"two", 0.5, p_2, Vec2::Zero(), {}});
+  scene.rods.push_back({"upper", {"one", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
+  scene.rods.push_back({"lower", {"one", Vec2::Zero()}, {"two", Vec2::Zero()}, 0.8});
+  return scene;
+}
 
 /// A scene of assets/scenes by its name.
 inline Scene shipped_scene(const std::string& name,

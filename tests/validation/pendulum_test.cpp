@@ -7,6 +7,7 @@
 
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
+#include "tests/support/scenes.h"
 #include "tests/support/stacks.h"
 
 namespace wuerfel::test {
@@ -103,15 +104,8 @@ TEST(ParallelRods, ACubeSwingsOnThemLikeAPoint) {
 }
 
 TEST(DoublePendulum, FollowsTheReference) {
-  // Masses 1 and 0.5, rods 1 and 0.8, from rest at the angles 2 and 2.5 from below; Gragg, Bulirsch and Stoer with 30 digits.
-  const Vec2 p_1(std::sin(2.0), -std::cos(2.0));
-  const Vec2 p_2 = p_1 + 0.8 * Vec2(std::sin(2.5), -std::cos(2.5));
-  Scene scene;
-  scene.points.push_back({"one", 1.0, p_1, Vec2::Zero(), {}});
-  scene.points.push_back({"two", 0.5, p_2, Vec2::Zero(), {}});
-  scene.rods.push_back({"upper", {"one", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
-  scene.rods.push_back({"lower", {"one", Vec2::Zero()}, {"two", Vec2::Zero()}, 0.8});
-  Simulation simulation(scene, {});
+  // Gragg, Bulirsch and Stoer with 30 digits.
+  Simulation simulation(double_pendulum(), {});
   simulation.advance_to(2.0);
   const State& s = simulation.states();
   EXPECT_NEAR((s[0].position - Vec2(-0.99986449158829600849, -0.016462030885596724537)).norm(), 0.0,

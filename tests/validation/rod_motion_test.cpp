@@ -8,6 +8,7 @@
 
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
+#include "tests/support/scenes.h"
 #include "tests/support/stacks.h"
 
 namespace wuerfel::test {
@@ -187,14 +188,7 @@ TEST(Rattle, IsOfSecondOrderWithRods) {
     settings.integrator = Integrator::rattle;
     settings.step = step;
     settings.tolerance = 1e-2;  // the step decides
-    const Vec2 p_1(std::sin(2.0), -std::cos(2.0));
-    const Vec2 p_2 = p_1 + 0.8 * Vec2(std::sin(2.5), -std::cos(2.5));
-    Scene scene;
-    scene.points.push_back({"one", 1.0, p_1, Vec2::Zero(), {}});
-    scene.points.push_back({"two", 0.5, p_2, Vec2::Zero(), {}});
-    scene.rods.push_back({"upper", {"one", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
-    scene.rods.push_back({"lower", {"one", Vec2::Zero()}, {"two", Vec2::Zero()}, 0.8});
-    Simulation simulation(scene, settings);
+    Simulation simulation(double_pendulum(), settings);
     simulation.advance_to(2.0);
     return (simulation.states()[1].position
             - Vec2(-0.84182969878893535483, -0.80069732992846889898))
