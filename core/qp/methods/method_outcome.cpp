@@ -41,6 +41,7 @@ bool proves_infeasible(const LeastDistance& problem,
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (problem.force_max()[i] != unbounded) v[i] = std::min(v[i], 0.0);
     if (problem.force_min()[i] != -unbounded) v[i] = std::max(v[i], 0.0);
+    if (problem.square()[i] == 0.0) v[i] = 0.0;  // true or false by itself, which is known
     gain += v[i] * problem.h()[i];
     if (problem.square()[i] > 0.0 && (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0))
       size = std::max(size, std::abs(problem.h()[i]) / std::sqrt(problem.square()[i]));
