@@ -74,6 +74,19 @@ TEST_P(HostileProgram, JudgesARowOfZerosByItself) {
   }
 }
 
+/// Two bounds of one row, apart by less than the tolerance allows of so long a row: what one method
+/// solves no other calls infeasible.
+TEST_P(HostileProgram, CallsNothingInfeasibleThatPassesForSolved) {
+  QuadraticProgram program;
+  program.clear(1);
+  program.add_block(std::array{2.0}, std::array{-3.0});
+  program.add_equality(30.0);
+  program.add_entry(0, std::array{1e13});
+  program.add_inequality(60.0);
+  program.add_entry(0, std::array{1e13});
+  EXPECT_EQ(solve_by(GetParam(), program).status, QpStatus::optimal);
+}
+
 TEST_P(HostileProgram, NamesWhatIsWrongWithAMalformedProgram) {
   const auto refuses = [](const QuadraticProgram& program) {
     const auto solver = make_qp_solver(GetParam());
