@@ -60,6 +60,13 @@ void add_row(const Row& row, double per_force, double per_acceleration, QpResidu
 
 }  // namespace
 
+void replace_zero_norms(std::vector<double>& norms) {
+  double least = 1.0;
+  for (const double norm : norms)
+    if (norm > 0.0) least = std::min(least, norm);
+  std::ranges::replace(norms, 0.0, least);
+}
+
 double QpResidual::worst() const { return std::max({stationarity, primal, dual, complementarity}); }
 
 void ResidualMeter::find_units(const QuadraticProgram& p) {
@@ -85,15 +92,12 @@ const ResidualScales& ResidualMeter::measure_scales(const QuadraticProgram& p) {
     scales_.acceleration = std::max(scales_.acceleration, f * root_[j]);
     scales_.weight = std::max(scales_.weight, p.mass[j] * f * unit_[j]);
   }
-  double largest = 0.0;
   scales_.row_norm.resize(p.bound.size());
-  for (int row = 0; row < p.rows(); ++row) {
+  for (int row = 0; row < p.rows(); ++row)
     scales_.row_norm[row] = std::sqrt(square_of(p, row, weight_));
-    largest = std::max(largest, scales_.row_norm[row]);
-  }
+  replace_zero_norms(scales_.row_norm);
   for (int row = 0; row < p.rows(); ++row) {
-    double& norm = scales_.row_norm[row];
-    if (norm == 0.0) norm = largest > 0.0 ? largest : 1.0;
+    const double norm = scales_.row_norm[row];
     if (p.bound[row] > 0.0 || (p.bound[row] < 0.0 && p.force_min[row] < 0.0))
       scales_.acceleration = std::max(scales_.acceleration, std::abs(p.bound[row]) / norm);
   }

@@ -17,8 +17,12 @@ namespace wuerfel {
 struct ResidualScales {
   double acceleration = 0.0;     ///< the largest |f| of a coordinate and |b| / |row|
   double weight = 0.0;           ///< the largest |M f|
-  std::vector<double> row_norm;  ///< |row|; that of the largest row (or 1) for a row of zeros
+  std::vector<double> row_norm;  ///< |row|; see replace_zero_norms
 };
+
+/// Rows of zeros count as long as the normal of a contact, 1, or as the smallest other row: the
+/// strictest judge of a bound that no point moves.
+void replace_zero_norms(std::vector<double>& norms);
 
 /// Keeps its memory between measurements.
 class ResidualMeter {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/residual_meter.h"
+
 namespace wuerfel {
 namespace {
 
@@ -54,12 +56,10 @@ const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
     scales_.velocity = std::max(scales_.velocity, std::abs(p.target[j]) / unit_[j]);
     scales_.weight = std::max(scales_.weight, std::abs(p.target[j] * p.mass[j]) * unit_[j]);
   }
-  double largest = 0.0;
   scales_.row_norm.resize(p.bound.size());
   for (int i = 0; i < p.rows(); ++i)
-    largest = std::max(largest, scales_.row_norm[i] = norm_of(p, i));
-  for (double& norm : scales_.row_norm)
-    if (norm == 0.0) norm = largest > 0.0 ? largest : 1.0;
+    scales_.row_norm[i] = norm_of(p, i);
+  replace_zero_norms(scales_.row_norm);
   for (int i = 0; i < p.rows(); ++i)
     scales_.velocity = std::max(scales_.velocity, std::abs(p.bound[i]) / scales_.row_norm[i]);
   return scales_;

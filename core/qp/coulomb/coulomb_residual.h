@@ -23,7 +23,7 @@ struct CoulombResidual {
 struct CoulombScales {
   double velocity = 0.0;         ///< the largest |f| of a coordinate and |b| / |row|
   double weight = 0.0;           ///< the largest |M f|
-  std::vector<double> row_norm;  ///< |row|; of the largest row (or 1) for a row of zeros
+  std::vector<double> row_norm;  ///< |row|; see replace_zero_norms
 };
 
 /// Keeps its memory between measurements.

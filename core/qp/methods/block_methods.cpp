@@ -70,7 +70,8 @@ double BlockMethods::goal() const { return std::max(goal_share * settings_.toler
 bool BlockMethods::run_newton(const QuadraticProgram& program,
                               const NewtonEffort& effort,
                               QpResult& result) {
-  const MethodOutcome outcome = newton_.run(problem_, meter_.scales(), goal(), effort);
+  const MethodOutcome outcome =
+      newton_.run(problem_, meter_.scales(), {goal(), settings_.tolerance}, effort);
   return take(program, outcome, goal(), newton_.y(), newton_.multiplier(), result);
 }
 
@@ -88,7 +89,8 @@ bool BlockMethods::try_interior_point(const QuadraticProgram& program,
                                       double proximal,
                                       QpResult& result) {
   const MethodOutcome outcome = interior_point_.run(
-      problem_, meter_.scales(), interior_goal_share * settings_.tolerance, warm, proximal);
+      problem_, meter_.scales(), {interior_goal_share * settings_.tolerance, settings_.tolerance},
+      warm, proximal);
   (warm ? warm_factorisations_ : cold_factorisations_) = outcome.factorisations;
   const double enough = settings_.wants_exact() ? best_goal : settings_.tolerance;
   return take(program, outcome, enough, interior_point_.y(), interior_point_.multiplier(), result);

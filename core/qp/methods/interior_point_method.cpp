@@ -53,11 +53,15 @@ double size_of(const LeastDistance& problem) {
 
 }  // namespace
 
-MethodOutcome InteriorPointMethod::run(
-    LeastDistance& problem, const ResidualScales& scales, double goal, bool warm, double proximal) {
+MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
+                                       const ResidualScales& scales,
+                                       const Aim& aim,
+                                       bool warm,
+                                       double proximal) {
   resize(problem);
   start(problem, warm);
   progress_ = {.former_mu = unbounded};
+  const double goal = aim.residual;
   MethodOutcome outcome{MethodEnd::stalled, unbounded, 0};
   for (int step = 0; step < most_steps; ++step) {
     const double unbalance = round_off(problem, scales);
@@ -69,7 +73,8 @@ MethodOutcome InteriorPointMethod::run(
     const bool gains = keeps_gaining(worst, centre, outcome);
     if (outcome.worst <= goal) outcome.end = MethodEnd::reached;
     if (outcome.worst <= goal || !gains) break;
-    if (step >= 8 && step % 4 == 0 && proves_infeasible(problem, at_.lambda, pull_, step_.y)) {
+    if (step >= 8 && step % 4 == 0
+        && proves_infeasible(problem, scales, aim.tolerance, at_.lambda, pull_, step_.y)) {
       outcome.end = MethodEnd::infeasible;
       break;
     }

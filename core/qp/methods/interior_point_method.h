@@ -25,13 +25,13 @@ namespace wuerfel {
 
 class InteriorPointMethod {
  public:
-  /// Solves to `goal` in the measure of QpResidual, or as far as it gets. `warm` starts near the
+  /// Solves to the residual aimed at, or as far as it gets. `warm` starts near the
   /// last solution. `proximal` is delta / |g|^2 of rows with an end: the larger it is the better K
   /// is conditioned, and the slower nearly dependent rows settle. It is raised where K gets too
   /// ill-conditioned.
   MethodOutcome run(LeastDistance& problem,
                     const ResidualScales& scales,
-                    double goal,
+                    const Aim& aim,
                     bool warm,
                     double proximal);
   void forget() { solved_ = false; }

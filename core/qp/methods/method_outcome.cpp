@@ -31,17 +31,21 @@ double worst_row(const LeastDistance& problem,
 }
 
 bool proves_infeasible(const LeastDistance& problem,
+                       const ResidualScales& scales,
+                       double tolerance,
                        const std::vector<double>& direction,
                        std::vector<double>& v,
                        std::vector<Quad>& scratch) {
   constexpr double beyond = 1e7;
+  const double allowed = tolerance * scales.acceleration;
   v = direction;
   double gain = 0.0;
   double size = 0.0;
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (problem.force_max()[i] != unbounded) v[i] = std::min(v[i], 0.0);
     if (problem.force_min()[i] != -unbounded) v[i] = std::max(v[i], 0.0);
-    gain += v[i] * problem.h()[i];
+    if (problem.square()[i] == 0.0) v[i] = 0.0;  // true or false by itself, which is known
+    gain += v[i] * problem.h()[i] - std::abs(v[i]) * scales.row_norm[i] * allowed;
     if (problem.square()[i] > 0.0 && (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0))
       size = std::max(size, std::abs(problem.h()[i]) / std::sqrt(problem.square()[i]));
   }

@@ -10,6 +10,12 @@ namespace wuerfel {
 
 enum class MethodEnd { reached, stalled, infeasible };
 
+/// How exact a method is to be, in the measure of QpResidual.
+struct Aim {
+  double residual;   ///< where it ends
+  double tolerance;  ///< what passes for a solution
+};
+
 struct MethodOutcome {
   MethodEnd end = MethodEnd::stalled;
   double worst = 0.0;  ///< the residual found while solving
@@ -24,9 +30,12 @@ double worst_row(const LeastDistance& problem,
                  const std::vector<double>& lambda);
 
 /// Whether `direction` proves that no point satisfies the rows (Farkas): v >= 0 on inequalities
-/// with |G' v| R < h' v shows that every solution has |y| > R; R = 1e7 times the size of the
-/// problem counts as none. `scratch` is memory.
+/// with |G' v| R + sum |v_i| d_i < h' v shows that every point that misses rows by at most d_i has
+/// |y| > R. R = 1e7 times the size of the problem counts as none, d_i is what passes `tolerance` in
+/// the measure of QpResidual. `scratch` is memory.
 bool proves_infeasible(const LeastDistance& problem,
+                       const ResidualScales& scales,
+                       double tolerance,
                        const std::vector<double>& direction,
                        std::vector<double>& v,
                        std::vector<Quad>& scratch);

@@ -20,7 +20,7 @@ constexpr double drifting = 0.5;  ///< the residual after an outer step, in part
 
 MethodOutcome NewtonMethod::run(LeastDistance& problem,
                                 const ResidualScales& scales,
-                                double goal,
+                                const Aim& aim,
                                 const NewtonEffort& effort) {
   start(problem);
   first_point(problem);
@@ -37,17 +37,19 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
     }
     // Where the sides were hard to find the program is nearly degenerate and x is less exact than
     // its residual.
-    const double enough = progress_.factorisations <= 2 ? goal : hard_share * goal;
+    const double enough = progress_.factorisations <= 2 ? aim.residual : hard_share * aim.residual;
     if (worst <= enough || lost >= effort.patience) break;
     const bool slow = worst > 0.1 * former;
     former = worst;
-    if (outer >= 2 && slow && diverges(problem)) {
+    if (outer >= 2 && slow
+        && proves_infeasible(problem, scales, aim.tolerance, change_, weight_, step_.d)) {
       outcome.end = MethodEnd::infeasible;
       break;
     }
     if (slow) stiffen();
   }
-  if (outcome.worst <= goal && outcome.end == MethodEnd::stalled) outcome.end = MethodEnd::reached;
+  if (outcome.worst <= aim.residual && outcome.end == MethodEnd::stalled)
+    outcome.end = MethodEnd::reached;
   outcome.factorisations = progress_.factorisations;
   problem.apply_transposed(best_.data(), at_.y.data());
   return outcome;
@@ -99,11 +101,6 @@ bool NewtonMethod::prolong(const LeastDistance& problem) {
   problem.apply_transposed(at_.lambda.data(), at_.y.data());
   find_rest(problem);
   return true;
-}
-
-/// Whether the last change of the multipliers proves that the rows contradict each other.
-bool NewtonMethod::diverges(const LeastDistance& problem) {
-  return proves_infeasible(problem, change_, weight_, step_.d);
 }
 
 void NewtonMethod::start(const LeastDistance& problem) {

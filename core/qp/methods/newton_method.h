@@ -31,10 +31,10 @@ struct NewtonEffort {
 
 class NewtonMethod {
  public:
-  /// Solves to `goal` in the measure of QpResidual, or as far as the effort leads.
+  /// Solves to the residual aimed at, or as far as the effort leads.
   MethodOutcome run(LeastDistance& problem,
                     const ResidualScales& scales,
-                    double goal,
+                    const Aim& aim,
                     const NewtonEffort& effort);
   void forget() { side_.clear(); }
   /// Makes the next run start from the sides of these multipliers, in the numbering of `problem`.
@@ -96,7 +96,6 @@ class NewtonMethod {
   void update_multipliers(const LeastDistance& problem);
   void stiffen();
   bool prolong(const LeastDistance& problem);
-  bool diverges(const LeastDistance& problem);
   void find_rest(const LeastDistance& problem);
 
   /// -1 at force_min, +1 at force_max, 0 between: the row is active.

@@ -56,6 +56,37 @@ TEST_P(HostileProgram, EndsOnNumbersOfAllSizes) {
   }
 }
 
+/// 0 >= 40 is false, and 0 >= -40 true, however large other rows are.
+TEST_P(HostileProgram, JudgesARowOfZerosByItself) {
+  for (const double other : {1.0, 1e10, 1e100}) {
+    for (const double bound : {-40.0, 40.0}) {
+      QuadraticProgram program;
+      program.clear(1);
+      program.add_block(std::array{2.0}, std::array{-3.0});
+      program.add_equality(0.0);
+      program.add_entry(0, std::array{other});
+      program.add_inequality(bound);
+      program.add_entry(0, std::array{0.0});
+      EXPECT_EQ(solve_by(GetParam(), program).status,
+                bound > 0.0 ? QpStatus::infeasible : QpStatus::optimal)
+          << bound << " beside a row of " << other;
+    }
+  }
+}
+
+/// Two bounds of one row, apart by less than the tolerance allows of so long a row: what one method
+/// solves no other calls infeasible.
+TEST_P(HostileProgram, CallsNothingInfeasibleThatPassesForSolved) {
+  QuadraticProgram program;
+  program.clear(1);
+  program.add_block(std::array{2.0}, std::array{-3.0});
+  program.add_equality(30.0);
+  program.add_entry(0, std::array{1e13});
+  program.add_inequality(60.0);
+  program.add_entry(0, std::array{1e13});
+  EXPECT_EQ(solve_by(GetParam(), program).status, QpStatus::optimal);
+}
+
 TEST_P(HostileProgram, NamesWhatIsWrongWithAMalformedProgram) {
   const auto refuses = [](const QuadraticProgram& program) {
     const auto solver = make_qp_solver(GetParam());
