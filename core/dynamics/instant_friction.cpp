@@ -18,7 +18,6 @@ constexpr double slipping = 1e-9;
 /// lose their digits: what can be held with less is asked first.
 constexpr double strong_friction = 8.0;
 constexpr int newton_factorisations = 8;
-constexpr int most_from_open = 600;  ///< contacts: the path from open is long
 constexpr int seeds_from_open = 3;
 
 std::vector<double> flat(const std::vector<Twist>& twists) {

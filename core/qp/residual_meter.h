@@ -24,6 +24,9 @@ struct ResidualScales {
 /// strictest judge of a bound that no point moves.
 void replace_zero_norms(std::vector<double>& norms);
 
+/// Answers whose residual is below it are worth moving onto the rows that carry force.
+inline constexpr double worth_settling = 1e-4;
+
 /// Keeps its memory between measurements.
 class ResidualMeter {
  public:

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/qp/coulomb/dice.h"
+#include "core/qp/refinement.h"
 
 namespace wuerfel {
 namespace {
 
 constexpr double boundary_share = 0.995;
-constexpr int most_refinements = 3;
 constexpr double short_step = 0.1;   ///< below it the corrector is given up
 constexpr double stuck_step = 0.02;  ///< four of these in a row end it
 constexpr int most_stuck_steps = 4;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/refinement.h"
+
 namespace wuerfel {
 namespace {
 
 constexpr double exact_balance =
     1e-11;  ///< unbalance of dy to which solves are refined; callers take up the rest
-constexpr int most_refinements = 3;
 
 }  // namespace
 

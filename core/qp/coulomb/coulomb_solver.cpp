@@ -15,8 +15,7 @@ constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 8;
 constexpr int unsure_seeds = 4;  ///< where no solution need exist
 constexpr int lemke_seeds = 3;
-constexpr int most_from_open = 600;  ///< contacts of programs for which lemke is tried
-constexpr int most_pivoted = 120;    ///< contacts of programs that are followed with pivoting
+constexpr int most_pivoted = 120;  ///< contacts of programs that are followed with pivoting
 
 bool any_slides(const FrictionProgram& friction) {
   return std::any_of(friction.contacts.begin(), friction.contacts.end(),
@@ -160,11 +159,10 @@ bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult&
   }
   stages.take(result.multiplier);
   if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
-  const auto contacts = static_cast<int>(friction.contacts.size());
-  if (contacts > most_from_open) return false;
+  if (friction.contacts.size() > most_from_open) return false;
   if (stages.follow(friction, PathStart::open, seed, Pivoting::none, result)) return true;
   if (!exists) return false;
-  for (int k = 1; k <= lemke_seeds && contacts <= most_pivoted; ++k) {
+  for (int k = 1; k <= lemke_seeds && friction.contacts.size() <= most_pivoted; ++k) {
     if (stages.follow(friction, PathStart::open, seed + 7919U * k, Pivoting::full, result))
       return true;
   }

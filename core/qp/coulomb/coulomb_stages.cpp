@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/residual_meter.h"
+
 namespace wuerfel {
 namespace {
 
@@ -10,9 +12,8 @@ constexpr double usual_delta = 1e-8;
 constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without pivoting
 constexpr double least_path_delta = 1e-12;
 constexpr double convex_tolerance = 1e-12;
-constexpr double worth_settling = 1e-4;  ///< of an interior point
-constexpr double interior_goal = 1e-7;   ///< where pairs vanish together no more is to be had
-constexpr double large_delta = 1e-4;     ///< of settling at first
+constexpr double interior_goal = 1e-7;  ///< where pairs vanish together no more is to be had
+constexpr double large_delta = 1e-4;    ///< of settling at first
 constexpr int settling_factorisations = 40;
 constexpr double near_margin = 1e-9;
 constexpr double near_velocity_margin = 1e-4;  ///< times the compliance

@@ -2,6 +2,7 @@
 /// the best.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace wuerfel {
 
 /// Where a path of `follow` begins.
 enum class PathStart { here, open };
+/// Contacts of programs for which the path from open is not too long.
+inline constexpr std::size_t most_from_open = 600;
 
 class CoulombStages {
  public:

@@ -12,8 +12,7 @@ namespace {
 constexpr double goal_share = 1e-2;  ///< newton aims this far below the tolerance
 /// interior_point this far, where every step costs factors
 constexpr double interior_goal_share = 1e-1;
-constexpr double best_goal = 2e-14;  ///< but not below rounding
-constexpr double worth_settling = 1e-4;
+constexpr double best_goal = 2e-14;      ///< but not below rounding
 constexpr double settling_weight = 1e9;  ///< of tight rows, in units of 1 / |g|^2
 constexpr int settling_rounds = 3;
 /// One after the other: small ones fail less often on jammed walls of very different masses, more

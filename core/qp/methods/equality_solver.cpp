@@ -7,6 +7,7 @@
 #include "core/qp/block/column.h"
 #include "core/qp/methods/few_rows.h"
 #include "core/qp/methods/row_order.h"
+#include "core/qp/refinement.h"
 
 namespace wuerfel {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/refinement.h"
+
 namespace wuerfel {
 namespace {
 
