@@ -38,18 +38,18 @@ struct Band {
 };
 
 /// Two pixels at a time: six of eight bytes, of which the last two are overwritten by the next.
-/// `rgb` has two bytes to spare.
 void pack_pairs(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
   constexpr std::uint64_t first = 0xFFFFFFU;
   constexpr std::uint64_t second = first << 24U;
   int x = 0;
-  for (; x + 1 < width; x += 2, rgba += 8, rgb += 6) {
+  for (; x + 2 < width; x += 2, rgba += 8, rgb += 6) {
     std::uint64_t two = 0;
     std::memcpy(&two, rgba, 8);
     two = (two & first) | ((two >> 8U) & second);
     std::memcpy(rgb, &two, 8);
   }
-  if (x < width) std::memcpy(rgb, rgba, 3);
+  for (; x < width; ++x, rgba += 4, rgb += 3)
+    std::memcpy(rgb, rgba, 3);
 }
 
 #if defined(__x86_64__)
@@ -79,46 +79,47 @@ void pack_rgb(const std::uint8_t* rgba, int width, std::uint8_t* rgb) {
 struct IsalDeflate::Workspace {
   const IsalLibrary& isal = isal_library();
   isal_zstream stream{};
-  std::vector<std::uint8_t> rows;    ///< of a band, as PNG wants them
+  std::vector<std::uint8_t> rows;    ///< of the picture, as PNG wants them
   std::vector<std::uint8_t> output;  ///< as large as a band can become
   Layout layout;
   std::vector<Band> bands;  ///< of the picture before
 
   void lay_out(const Layout& wanted);
-  void pack_rows(const Image& image, int first, int last);
-  void pack(const Image& image, int first, int last, Band& band);
+  void take(const Image& image, const RowRange& changed);
+  void pack(int first, int last, Band& band);
 };
 
 void IsalDeflate::Workspace::lay_out(const Layout& wanted) {
   layout = wanted;
   bands.assign(layout.bands(), Band());
   const int most = layout.band_rows() * layout.row_size();
-  rows.resize(most + 2);
+  rows.assign(static_cast<std::size_t>(layout.height) * layout.row_size(), 0);  // 0: no filter
   constexpr int blocks = 1024;  // what is longer than it was is stored in blocks with a header each
   output.resize(most + most / 64 + blocks);
 }
 
-void IsalDeflate::Workspace::pack_rows(const Image& image, int first, int last) {
-  const int row_size = layout.row_size();
-  for (int y = first; y < last; ++y) {
-    std::uint8_t* row = rows.data() + (y - first) * row_size;
-    row[0] = 0;  // no filter
+void IsalDeflate::Workspace::take(const Image& image, const RowRange& changed) {
+  const int width = std::min(changed.right, layout.width) - changed.left;
+  for (int y = changed.begin; y < changed.end; ++y) {
+    const std::uint8_t* pixels = image.row(y) + 4 * static_cast<std::ptrdiff_t>(changed.left);
+    std::uint8_t* row = rows.data() + static_cast<std::ptrdiff_t>(y) * layout.row_size() + 1
+                        + static_cast<std::ptrdiff_t>(layout.channels) * changed.left;
     if (layout.channels == 4) {
-      std::memcpy(row + 1, image.row(y), row_size - 1);
+      std::memcpy(row, pixels, 4 * static_cast<std::size_t>(width));
     } else {
-      pack_rgb(image.row(y), image.width(), row + 1);
+      pack_rgb(pixels, width, row);
     }
   }
 }
 
-void IsalDeflate::Workspace::pack(const Image& image, int first, int last, Band& band) {
-  pack_rows(image, first, last);
+void IsalDeflate::Workspace::pack(int first, int last, Band& band) {
+  std::uint8_t* const begin = rows.data() + static_cast<std::ptrdiff_t>(first) * layout.row_size();
   band.size = (last - first) * layout.row_size();
-  band.adler = isal.adler32(1, rows.data(), band.size);
+  band.adler = isal.adler32(1, begin, band.size);
   isal.deflate_init(&stream);
   stream.level = level;
   stream.flush = FULL_FLUSH;  // ends with a whole byte, and the next band looks no further back
-  stream.next_in = rows.data();
+  stream.next_in = begin;
   stream.avail_in = static_cast<std::uint32_t>(band.size);
   stream.next_out = output.data();
   stream.avail_out = static_cast<std::uint32_t>(output.size());
@@ -140,12 +141,14 @@ void IsalDeflate::compress(const Image& image,
     work_->lay_out(layout);
     changed = RowRange{0, image.height()};
   }
+  for (const RowRange& range : changed.ranges())
+    work_->take(image, range);
   stream.assign({0x78, 0x01});  // zlib's header: deflate, fast
   std::uint32_t adler = 1;
   for (int first = 0, i = 0; first < image.height(); first += layout.band_rows(), ++i) {
     const int last = std::min(first + layout.band_rows(), image.height());
     Band& band = work_->bands[i];
-    if (changed.touches({first, last})) work_->pack(image, first, last, band);
+    if (changed.touches({first, last})) work_->pack(first, last, band);
     stream.insert(stream.end(), band.packed.begin(), band.packed.end());
     adler = static_cast<std::uint32_t>(adler32_combine(adler, band.adler, band.size));
   }

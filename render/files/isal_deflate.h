@@ -23,8 +23,8 @@ class IsalDeflate {
   IsalDeflate& operator=(IsalDeflate&&) = delete;
 
   /// Makes `stream` the zlib stream of PNG's image data for 8 bits a channel and no filters: each
-  /// row a zero byte and then `channels` (3: RGB, 4: RGBA) bytes a pixel. Rows outside of `changed`
-  /// are as in the call before.
+  /// row a zero byte and then `channels` (3: RGB, 4: RGBA) bytes a pixel. What is outside of `changed`
+  /// is as in the call before.
   void compress(const Image& image,
                 int channels,
                 RowSet changed,

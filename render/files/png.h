@@ -65,7 +65,7 @@ class ImageCompressor {
   ImageCompressor& operator=(ImageCompressor&&) = delete;
 
   /// Into an object that may have been used before, whose memory is taken again. Who knows that
-  /// the rows outside of `changed` are as in the call before saves their work; the result is the
+  /// what is outside of `changed` is as in the call before saves its work; the result is the
   /// same.
   void compress(const Image& image,
                 PngChannels channels,

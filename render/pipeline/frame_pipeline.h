@@ -79,7 +79,7 @@ class FramePipeline {
  private:
   struct Drawn {
     std::optional<std::size_t> slot;  ///< of the picture; nothing: as before
-    RowSet changed;                   ///< the other rows are as before
+    RowSet changed;                   ///< all else is as before
     std::vector<PngText> texts;
   };
 
@@ -98,7 +98,7 @@ class FramePipeline {
   static constexpr std::size_t slots = 3;  ///< one being drawn, one being encoded, one waiting
   std::array<Image, slots> images_;
   std::array<std::optional<RowSet>, slots>
-      stale_;  ///< rows that are not as in the last picture; nothing: all
+      stale_;  ///< what is not as in the last picture; nothing: all
   internal::BoundedQueue<FrameJob> jobs_{4};
   internal::BoundedQueue<Drawn> drawn_{slots};
   internal::BoundedQueue<std::size_t> free_slots_{slots};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,10 +11,12 @@
 
 namespace wuerfel {
 
-/// Rows of an image from `begin` to before `end`.
+/// Rows of an image from `begin` to before `end`, and of these the columns from `left` to before `right`.
 struct RowRange {
   int begin = 0;
   int end = 0;
+  int left = 0;
+  int right = std::numeric_limits<int>::max();  ///< as far as the image goes
   friend bool operator==(const RowRange&, const RowRange&) = default;
 };
 

@@ -1,6 +1,8 @@
 #include "render/raster/offscreen_context.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 
 #include <GL/osmesa.h>
@@ -161,9 +163,11 @@ void OffscreenContext::clear(const Region& region, Color color) {
 }
 
 void OffscreenContext::read(const RowSet& rows, Image& image) {
+  gl_.PixelStorei(GL_PACK_ROW_LENGTH, width_);
   for (const RowRange& range : rows.ranges()) {
-    gl_.ReadPixels(0, range.begin, width_, range.end - range.begin, GL_RGBA, GL_UNSIGNED_BYTE,
-                   image.row(range.begin));
+    gl_.ReadPixels(range.left, range.begin, std::min(range.right, width_) - range.left,
+                   range.end - range.begin, GL_RGBA, GL_UNSIGNED_BYTE,
+                   image.row(range.begin) + 4 * static_cast<std::ptrdiff_t>(range.left));
   }
   if (const GLenum error = gl_.GetError(); error != GL_NO_ERROR)
     throw LibraryError("OpenGL reports error " + std::to_string(error));

@@ -27,7 +27,7 @@ namespace wuerfel::internal {
   X(DeleteVertexArrays) X(Disable) X(DrawElements) X(Enable) X(EnableVertexAttribArray)                     \
   X(FramebufferRenderbuffer) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenVertexArrays)   \
   X(GetError) X(GetProgramInfoLog) X(GetProgramiv)                    \
-  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(ReadPixels) X(RenderbufferStorage) X(Scissor) X(ShaderSource) \
+  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadPixels) X(RenderbufferStorage) X(Scissor) X(ShaderSource) \
   X(Uniform1i) X(Uniform2f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 

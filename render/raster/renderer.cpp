@@ -19,8 +19,8 @@ namespace {
 /// What was blended over nothing has premultiplied colours; an image has straight alpha.
 void undo_premultiplication(const RowRange& rows, Image& image) {
   for (int y = rows.begin; y < rows.end; ++y) {
-    std::uint8_t* pixel = image.row(y);
-    for (int x = 0; x < image.width(); ++x, pixel += 4) {
+    std::uint8_t* pixel = image.row(y) + 4 * static_cast<std::ptrdiff_t>(rows.left);
+    for (int x = rows.left; x < std::min(rows.right, image.width()); ++x, pixel += 4) {
       const unsigned alpha = pixel[3];
       if (alpha == 0 || alpha == 255) continue;
       for (int c = 0; c < 3; ++c) {
@@ -72,7 +72,7 @@ class Renderer::OpenGl {
   }
 
   RowSet changed_rows(const DrawList& list, const internal::Region& region) const {
-    RowSet rows(RowRange{region.top, region.bottom});
+    RowSet rows(RowRange{region.top, region.bottom, region.left, region.right});
     if (region != internal::whole_picture(list))
       rows.add(internal::changed_text_rows(*last_, list));
     return rows;

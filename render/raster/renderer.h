@@ -27,8 +27,8 @@ class Renderer {
   Renderer& operator=(Renderer&&) = delete;
 
   /// Paints `list` into `image`, which is made anew where its size differs from the list's. Outside
-  /// of the rows returned the picture equals the one drawn before. Who knows that `image` shows that
-  /// one outside of the rows `stale` saves the work of copying them.
+  /// of what is returned the picture equals the one drawn before. Who knows that `image` shows that
+  /// one outside of `stale` saves the work of copying it.
   RowSet draw(const DrawList& list, Image& image, const std::optional<RowSet>& stale = {});
 
   /// The font of the texts, to measure them.

@@ -1,4 +1,4 @@
-/// RowSet: some rows of a picture.
+/// RowSet: some rows of a picture, or of some of its columns.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ class RowSet {
   void add(const RowSet& rows);
   /// Whether one of the rows is in the set.
   bool touches(const RowRange& rows) const;
-  /// From top to bottom, apart from each other.
+  /// From top to bottom, apart from each other; each with the columns of all rows in it.
   const std::vector<RowRange>& ranges() const { return ranges_; }
   friend bool operator==(const RowSet&, const RowSet&) = default;
 

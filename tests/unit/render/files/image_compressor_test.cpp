@@ -97,6 +97,25 @@ TEST(ImageCompressor, PacksOnlyChangedRowsToTheSameStream) {
   }
 }
 
+TEST(ImageCompressor, PacksOnlyChangedColumnsToTheSameStream) {
+  std::mt19937 random(12);
+  for (const PngChannels channels : {PngChannels::rgb, PngChannels::rgba}) {
+    Image image = patchwork(random, 70, 60, true);
+    ImageCompressor compressor;
+    CompressedImage compressed;
+    compressor.compress(image, channels, compressed);
+    for (int width = 1; width < 20; ++width) {
+      const int left = static_cast<int>(random() % (70U - static_cast<unsigned>(width)));
+      for (int x = left; x < left + width; ++x)
+        image.set(x, 30, {static_cast<std::uint8_t>(random()), 7, 9, 255});
+      compressor.compress(image, channels, compressed, RowRange{29, 32, left, left + width});
+      CompressedImage fresh;
+      ImageCompressor().compress(image, channels, fresh);
+      ASSERT_EQ(compressed.stream, fresh.stream) << left << ' ' << width;
+    }
+  }
+}
+
 TEST(ImageCompressor, RemembersNothingOfThePictureBefore) {
   std::mt19937 random(10);
   const Image first = patchwork(random, 300, 200, true);
