@@ -29,12 +29,12 @@ bool is_same(const BodyState& a, const BodyState& b) {
 
 /// When the k-th look before a frame is; the 0-th is the frame itself.
 double look_time(double frame, double average, int k) {
-  return frame - average * k / looks_per_average;
+  return frame - average * k / parts_of_average;
 }
 
 /// How many looks the loads of a frame are averaged over.
 int load_looks(const LookBack& back) {
-  return static_cast<int>(std::lround(back.loads / back.average * looks_per_average));
+  return static_cast<int>(std::lround(back.loads / back.average * parts_of_average));
 }
 
 /// Sums of joints, one for each pair of bodies; geometry is that of the latest look.
@@ -73,11 +73,9 @@ class JointSum {
     const Vec2 point = before + added > 0.0
                            ? Vec2((before * sum.point + added * more.point) / (before + added))
                            : more.point;
-    const bool unique = sum.unique && more.unique;
     sum = more;
     sum.force = force;
     sum.point = point;
-    sum.unique = unique;
   }
 
   std::map<std::pair<int, int>, std::size_t> number_;
@@ -88,13 +86,20 @@ class JointSum {
 
 std::vector<TimetableEntry> with_looks(std::vector<TimetableEntry> instants, const LookBack& back) {
   if (!(back.average > 0.0)) return instants;
+  const double same = 1e-6 * back.average;  // times of frames and of looks differ by rounding
   std::vector<TimetableEntry> looks;
   for (const TimetableEntry& instant : instants) {
-    const int count =
-        instant.sample ? std::max(looks_per_average, load_looks(back)) : looks_per_average;
-    for (int k = 1; instant.frame && !instant.bare && k < count; ++k) {
+    if (!instant.frame || instant.bare) continue;
+    const int most =
+        instant.sample ? std::max(parts_of_average, load_looks(back) - 1) : parts_of_average;
+    for (int k = 1; k <= most; ++k) {
       const double t = look_time(instant.t, back.average, k);
-      if (t > 0.0) looks.push_back({.t = t, .look = true});
+      const auto there = std::ranges::lower_bound(instants, t - same, {}, &TimetableEntry::t);
+      if (there->t <= t + same) {
+        there->look = true;
+      } else if (t > -same) {
+        looks.push_back({.t = std::max(t, 0.0), .look = true});
+      }
     }
   }
   return merged(std::move(instants), looks);
@@ -109,20 +114,31 @@ void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
     impacts_.pop_front();
 }
 
+/// Nothing where nobody looked. Looks of other frames are as good as those of the own.
+const FrameTaker::Look* FrameTaker::look_at(double t) const {
+  const double close = 0.1 * back_.average / parts_of_average;
+  const auto look =
+      std::ranges::find_if(looks_, [&](const Look& of) { return std::abs(of.t - t) < close; });
+  return look == looks_.end() ? nullptr : &*look;
+}
+
 std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const {
-  // Other frames may have had looks in between; these are those of this one, the oldest first.
-  std::vector<const Joints*> own;
-  for (int k = looks_per_average - 1; k >= 0; --k) {
-    const double t = look_time(snapshot.time, back_.average, k);
-    const auto look = std::ranges::find(looks_, t, &Look::t);
-    if (look != looks_.end() && look->joints) own.push_back(look->joints.get());
+  std::vector<std::pair<const Joints*, double>> own;  // with their weights, the oldest first
+  double total = 0.0;
+  for (int k = parts_of_average; k >= 0; --k) {
+    const Look* look = look_at(look_time(snapshot.time, back_.average, k));
+    if (look == nullptr || !look->joints) continue;
+    own.emplace_back(look->joints.get(), k == 0 || k == parts_of_average ? 0.5 : 1.0);
+    total += own.back().second;
   }
-  const auto same = [](const Joints* a, const Joints* b) { return a == b || *a == *b; };
-  const bool steady = std::ranges::adjacent_find(own, std::not_fn(same)) == own.end();
+  const auto is_new = [&](const auto& look) {
+    return look.first != own.front().first && *look.first != *own.front().first;
+  };
+  const bool steady = std::ranges::none_of(own, is_new);
   if (own.size() < 2 || (steady && impacts_.empty())) return snapshot.joints;
   JointSum sum;
-  for (const Joints* joints : own)
-    sum.add(*joints, 1.0 / static_cast<double>(own.size()));
+  for (const auto& [joints, weight] : own)
+    sum.add(*joints, weight / total);
   const std::map<std::string, int> number =
       impacts_.empty() ? std::map<std::string, int>{} : numbers_of(snapshot);
   for (const Event& impact : impacts_) {
@@ -150,12 +166,8 @@ std::vector<double> FrameTaker::averaged_loads(double t) const {
   Loads sum;
   int count = 0;
   for (int k = 0; k < load_looks(back_); ++k) {
-    // Looks of other frames, whose times are as good as these.
-    const double wanted = look_time(t, back_.average, k);
-    const double close = 0.1 * back_.average / looks_per_average;
-    const auto look = std::ranges::find_if(
-        looks_, [&](const Look& of) { return std::abs(of.t - wanted) < close; });
-    if (look == looks_.end()) continue;
+    const Look* look = look_at(look_time(t, back_.average, k));
+    if (look == nullptr) continue;
     sum.resize(look->loads->size(), 0.0);
     std::ranges::transform(sum, *look->loads, sum.begin(), std::plus());
     ++count;
@@ -187,7 +199,7 @@ void FrameTaker::remember(double t, const Seen& seen) {
 /// What no frame from t on looks back to.
 void FrameTaker::forget(double t) {
   const auto is_over = [&](const Look& look, double memory) {
-    return look.t <= t - memory * (1.0 - 1e-9);
+    return look.t < t - memory * (1.0 + 1e-6);
   };
   while (!looks_.empty() && is_over(looks_.front(), std::max(back_.average, back_.loads)))
     looks_.pop_front();

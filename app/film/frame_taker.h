@@ -22,8 +22,9 @@ struct LookBack {
   double loads = 0.0;    ///< s, over which loads are averaged that colours tell; 0: as forces
 };
 
-/// How many looks an average takes, the last at the frame itself.
-constexpr int looks_per_average = 4;
+/// An average is of the looks at both ends of so many equal parts of its time (trapezoidal rule). The
+/// first is that of the frame before, the last that of the frame itself.
+constexpr int parts_of_average = 2;
 
 /// The instants and, before each frame, those at which its forces are looked at; loads of frames that
 /// were asked for farther back.
@@ -61,6 +62,7 @@ class FrameTaker {
   void remember(double t, const Seen& seen);
   void forget(double t);
   void notice_impacts(const std::vector<Event>& events, double t);
+  [[nodiscard]] const Look* look_at(double t) const;
   [[nodiscard]] Joints averaged(const Snapshot& snapshot) const;
   [[nodiscard]] Loads averaged_loads(double t) const;
   [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
