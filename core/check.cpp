@@ -52,7 +52,8 @@ void strike(const System& system, const MotionSettings& settings, State& state, 
   for (const Island& island : islands) {
     if (!rubs(system, island) && !bounces(system, island)) continue;
     if (!closes(system, state, island)) continue;
-    const IslandSolution after = FrictionDynamics(system, settings).impact(state, island, slow);
+    FrictionDynamics dynamics(system, settings);
+    const IslandSolution after = impact(system, state, island, slow, dynamics).after;
     keep_book(after, book);
     set_velocities(island, after.twists, state);
   }

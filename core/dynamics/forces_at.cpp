@@ -29,8 +29,6 @@ bool same_bits(const BodyState& a, const BodyState& b) {
          && same_bits(a.velocity, b.velocity) && same_bits(a.spin, b.spin);
 }
 
-bool is_still(const BodyState& s) { return s.velocity.isZero(0.0) && s.spin == 0.0; }
-
 std::vector<ContactId> ids(std::span<const Contact> contacts) {
   std::vector<ContactId> result;
   for (const Contact& c : contacts)
@@ -112,10 +110,8 @@ void ForceFinder::observe(const State& state, std::span<const Contact> loaded) {
     if (settings_.skips.looks && former >= 0 && is_unchanged(now_.islands[former], of, state))
       of = std::move(now_.islands[former]);
     if (std::ranges::find(of.loaded, 1) == of.loaded.end()) continue;
-    for (const int cube : of.island.cubes) {
-      felt_[cube].velocity.setZero();
-      felt_[cube].spin = 0.0;
-    }
+    for (const int cube : of.island.cubes)
+      stop(felt_[cube]);
   }
   now_.islands = std::move(found);
   gravity_ = scales_of(*system_, state).gravity;

@@ -54,6 +54,17 @@ Impact impact(const System& system,
   return with_loss(system, state, island, dynamics.impact(state, island, slow));
 }
 
+Impact impact(const System& system,
+              const State& state,
+              const Island& island,
+              double slow,
+              IslandDynamics& dynamics,
+              FrictionDynamics& friction) {
+  return rubs(system, island) || bounces(system, island)
+             ? impact(system, state, island, slow, friction)
+             : impact(system, state, island, dynamics);
+}
+
 Impact jam(const System& system,
            const State& state,
            const Island& island,

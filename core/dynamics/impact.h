@@ -30,6 +30,13 @@ Impact impact(const System& system,
               const Island& island,
               double slow,
               FrictionDynamics& dynamics);
+/// By the law that the island needs.
+Impact impact(const System& system,
+              const State& state,
+              const Island& island,
+              double slow,
+              IslandDynamics& dynamics,
+              FrictionDynamics& friction);
 
 /// Impact without collision of an island for which no accelerations exist.
 Impact jam(const System& system,

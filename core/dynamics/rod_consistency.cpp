@@ -100,9 +100,7 @@ RodConsistency rod_consistency_of_start(const System& system,
   const double time = scales_of(system, state).time;
   std::vector<Island> islands;
   find_islands(system, {}, islands);
-  const auto rests = [&](int cube) {
-    return state[cube].velocity.isZero(0.0) && state[cube].spin == 0.0;
-  };
+  const auto rests = [&](int cube) { return is_still(state[cube]); };
   for (const Island& island : islands) {
     if (!std::ranges::all_of(island.cubes, rests)) continue;
     for (const int cube : island.cubes) {

@@ -130,7 +130,7 @@ class Rounds {
     const double zero = rounding * fastest_of(*system_, start, island_->cubes);
     for (const int cube : island_->cubes) {
       BodyState& s = now_[cube];
-      if (fastest_corner(system_->body(cube), s) <= zero) s.velocity.setZero(), s.spin = 0.0;
+      if (fastest_corner(system_->body(cube), s) <= zero) stop(s);
       sum_.twists.push_back({s.velocity, s.spin});
     }
     return std::move(sum_);

@@ -123,9 +123,7 @@ Verdict judge(const System& system,
               const State& state,
               const InstantForces& found,
               std::span<const char> watched) {
-  const bool moves = std::ranges::any_of(
-      state, [](const BodyState& s) { return !s.velocity.isZero(0.0) || s.spin != 0.0; });
-  if (moves) return Verdict::moves;
+  if (!std::ranges::all_of(state, is_still)) return Verdict::moves;
   if (!found.solved) return Verdict::undecided;
   const Unrest own = unrest_of(system, state, found, watched);
   const double certificate = largest_unrest(found, watched);

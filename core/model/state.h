@@ -16,6 +16,13 @@ struct BodyState {
   double spin = 0.0;             ///< rad/s
 };
 
+/// To the bit.
+inline bool is_still(const BodyState& s) { return s.velocity.isZero(0.0) && s.spin == 0.0; }
+inline void stop(BodyState& s) {
+  s.velocity.setZero();
+  s.spin = 0.0;
+}
+
 /// Velocity, acceleration, impulse ... of one cube as a rigid body.
 struct Twist {
   Vec2 linear = Vec2::Zero();  ///< of the centre

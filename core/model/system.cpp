@@ -185,6 +185,13 @@ double fastest_corner(const Body& body, const BodyState& state) {
   return state.velocity.norm() + body.radius() * std::abs(state.spin);
 }
 
+bool is_slower_than(double speed, const System& system, const State& state) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    if (fastest_corner(system.bodies[i], state[i]) > speed) return false;
+  }
+  return true;
+}
+
 State initial_state(const Scene& scene) {
   State state;
   state.reserve(scene.cubes.size() + scene.points.size());

@@ -82,6 +82,8 @@ void pose_boxes(const System& system, const State& state, std::vector<Box>& boxe
 
 /// Largest speed that a corner of a box may have, m/s: |v| + |omega| times half the diagonal.
 double fastest_corner(const Body& body, const BodyState& state);
+/// Whether no corner is faster than `speed`, m/s.
+bool is_slower_than(double speed, const System& system, const State& state);
 
 /// Kinetic energy of a cube, and of all, J.
 double kinetic_energy(const Body& body, const BodyState& state);

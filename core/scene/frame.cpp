@@ -1,13 +1,14 @@
 #include "core/scene/frame.h"
 
 #include <array>
+#include <numbers>
 
 #include "core/geometry/trig.h"
 
 namespace wuerfel {
 namespace {
 
-constexpr double right_angle = 1.57079632679489661923;
+constexpr double right_angle = 0.5 * std::numbers::pi;
 
 /// A face seen from the box: its tangent turned against the box's width by `turns` right angles.
 struct Face {

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "core/dynamics/gauss.h"
 #include "core/dynamics/programs.h"
 #include "core/qp/methods/equality_solver.h"
 
 namespace wuerfel {
 namespace {
 
-/// A contact presses with more than this share of the largest force.
-constexpr double pressing = 1e-9;
 constexpr int most_secants = 12;
 /// Two secants that differ by no more than this share of the side are one place.
 constexpr double last_digits = 1e-15;
@@ -36,7 +35,7 @@ class LimitMotion {
     island_.contacts.clear();
     const double most = of->solution.forces.empty() ? 0.0 : std::ranges::max(of->solution.forces);
     for (std::size_t k = 0; k < of->island.contacts.size(); ++k) {
-      if (of->solution.forces[k] > pressing * most)
+      if (of->solution.forces[k] > pressing_share * most)
         island_.contacts.push_back(of->island.contacts[k]);
     }
     motion_ = free_motion(s);

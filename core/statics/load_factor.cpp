@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/dynamics/gauss.h"
+
 namespace wuerfel {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double program_tolerance = 1e-12;
 /// A motion below this share of the largest acceleration at hand is rounding.
 constexpr double at_rest = 1e-11;
 constexpr double nearly_at_rest = 1e-9;
-/// A row carries force above this share of the largest force.
-constexpr double carrying = 1e-9;
 /// A motion keeps clear of a row whose rate is not below this share of its own.
 constexpr double clear = 1e-10;
 /// A load with less than this share of the power it could have has none.
@@ -121,7 +121,8 @@ bool LoadFactor::exact_cut(const std::vector<double>& w, const std::vector<doubl
   for (const double f : result_.multiplier)
     most = std::max(most, std::abs(f));
   for (int row = 0; row < program_.rows(); ++row)
-    tight_[row] = program_.is_equality(row) || result_.multiplier[row] > carrying * most ? 1 : 0;
+    tight_[row] =
+        program_.is_equality(row) || result_.multiplier[row] > pressing_share * most ? 1 : 0;
   for (int k = 0; k < program_.unknowns(); ++k)
     program_.target[k] = q[k] / program_.mass[k];
   equalities_.factorise(program_, &tight_);

@@ -51,10 +51,8 @@ StillScene still_scene(const Scene& scene, const MotionSettings& settings) {
 
 StillScene stopped_scene(const Scene& scene, const MotionSettings& settings) {
   State state = initial_state(scene);
-  for (BodyState& s : state) {
-    s.velocity.setZero();
-    s.spin = 0.0;
-  }
+  for (BodyState& s : state)
+    stop(s);
   return still_scene(make_system(scene), state, settings);
 }
 

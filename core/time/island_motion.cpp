@@ -12,12 +12,10 @@ namespace wuerfel {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-
 // Units of L / V.
 constexpr double shortest_window = 0.05;
 constexpr double longest_window = 8.0;
 constexpr double first_window = 0.5;
-
 /// A window ends after so many steps of a group, which are kept until then.
 constexpr int most_pieces = 1000;
 
@@ -105,9 +103,7 @@ const Bookkeeping& IslandMotion::book() {
   audit.drift_budget =
       stepped ? drift_.of_steps(lost.impacts + lost.friction) : drift_.of_events(time_);
   audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
-  const double settled = !stepped           ? promised_settled
-                         : system_->bounces ? promised_settled_of_bounces
-                                            : promised_settled_of_steps;
+  const double settled = stepped ? promised_settled_in_steps(system_->bounces) : promised_settled;
   audit.settled_budget = settled * (1.0 + time_ / scales_.time);
   return book;
 }

@@ -27,6 +27,9 @@ inline constexpr double promised_settled = 1e-3;
 inline constexpr double promised_settled_of_steps = 1e-2;
 inline constexpr double promised_settled_of_bounces = 1e-1;
 inline constexpr double promised_settled_of_first_order = 1.0;
+constexpr double promised_settled_in_steps(bool bounces) {
+  return bounces ? promised_settled_of_bounces : promised_settled_of_steps;
+}
 
 /// The promises that an audit of a stretch of the motion shows as broken, the gravest first.
 std::vector<Promise> broken_promises(const Audit& audit);

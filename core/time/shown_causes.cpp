@@ -33,10 +33,8 @@ StillScene held_still(const System& system,
                       const State& state,
                       std::span<const Contact> loaded) {
   StillScene still{system, state, {}, Verdict::undecided};
-  for (BodyState& s : still.state) {
-    s.velocity.setZero();
-    s.spin = 0.0;
-  }
+  for (BodyState& s : still.state)
+    stop(s);
   still.found = ForceFinder(system, settings).at(still.state, Detail::accelerations, loaded);
   still.verdict = judge(system, still.state, still.found);
   return still;

@@ -14,8 +14,7 @@ namespace {
 /// Beyond so many cubes a group that was handed over goes back only to be found at rest: the linear
 /// algebra of one smooth phase costs as much as many steps.
 constexpr int most_event_cubes = 100;
-/// Beyond so many cubes a group that rubs or bounces is stepped only: the equations of a smooth phase
-/// with friction are dense.
+/// Beyond so many cubes a group that rubs or bounces is stepped only: equations with friction are dense.
 constexpr int most_rubbing_cubes = 12;
 /// Where the user did not choose a step: the first one and the longest, in frames.
 constexpr double first_step = 0.5;
@@ -84,14 +83,10 @@ void Track::start(const State& state,
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
 bool Track::rest_from(const State& state, double t, double touching, Bookkeeping& book) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    if (fastest_corner(system_->bodies[i], state[i]) > rest_speed * scales_.speed) return false;
-  }
+  if (!is_slower_than(rest_speed * scales_.speed, *system_, state)) return false;
   State still = state;
-  for (BodyState& s : still) {
-    s.velocity.setZero();
-    s.spin = 0.0;
-  }
+  for (BodyState& s : still)
+    stop(s);
   ContactLimits limits;
   limits.touching = std::max(touching, limits.touching);
   Bookkeeping found;
@@ -220,7 +215,8 @@ void Track::go_on_or_hand_back() {
     return;
   }
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
-  if (crowding_.calm() && (few || steps_->is_slower_than(rest_speed * scales_.speed))) {
+  if (crowding_.calm()
+      && (few || is_slower_than(rest_speed * scales_.speed, *system_, steps_->state()))) {
     hand_back();
   } else {
     until_ = crowding_.frames_after(clock_, longest_step);

@@ -190,8 +190,7 @@ bool rests(const Island& island,
   for (const int cube : island.cubes) {
     BodyState& s = still[cube];
     if (fastest_corner(work.system->body(cube), s) > limits.rest_speed * scales.speed) return false;
-    s.velocity.setZero();
-    s.spin = 0.0;
+    stop(s);
   }
   if (rubs(*work.system, island)) return work.friction.rests(still, island);
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);

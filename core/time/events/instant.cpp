@@ -136,8 +136,7 @@ void settle(const System& system, const Island& island, const State& before, Ins
 void stop(const System& system, const Island& island, double t, bool is_event, Instant& now) {
   const State before = now.state;
   for (const int cube : island.cubes) {
-    now.state[cube].velocity.setZero();
-    now.state[cube].spin = 0.0;
+    stop(now.state[cube]);
     now.modes.resting[cube] = 1;
     if (is_event) add_rest(system, island, cube, t, now);
   }
@@ -188,10 +187,8 @@ void happen_to(const Island& island,
     now.modes.resting[cube] = 0;
   bool hits = closes(system, now.state, island);
   if (hits) {
-    const bool special = rubs(system, island) || bounces(system, island);
     const double slow = slowest_bounce * scales.speed;
-    const Impact hit = special ? impact(system, now.state, island, slow, work.friction)
-                               : impact(system, now.state, island, work.dynamics);
+    const Impact hit = impact(system, now.state, island, slow, work.dynamics, work.friction);
     work.solves.add(hit.after);
     add_jerks(system, island, now.state, hit, t, now);
     set_velocities(island, hit.after.twists, now.state);
@@ -257,7 +254,7 @@ Instant happen(const State& state,
   for (std::size_t i = 0; i < state.size(); ++i) {
     if (touched[i] != 0) continue;
     ++now.skipped_free;
-    now.modes.resting[i] = !falls && state[i].velocity.isZero(0.0) && state[i].spin == 0.0 ? 1 : 0;
+    now.modes.resting[i] = !falls && is_still(state[i]) ? 1 : 0;
   }
   if (before.known) add_contact_changes(system, before.modes, now.modes, t, now.events);
   return now;

@@ -39,7 +39,7 @@ void ActiveRestrictions::find(GridPoint& point, Bookkeeping& book) {
     const bool struck = closes(*system_, point.state, island);
     if (struck) strike(point, island, lasting, book);
     jam(point, island, struck, before.jammed, book);
-    settle(island, point.state);
+    stop_what_hardly_moves(island, point.state);
   }
 }
 
@@ -108,10 +108,10 @@ void ActiveRestrictions::jam(GridPoint& point,
 }
 
 /// Velocities that count as zero become zero, so that rest can be certified.
-void ActiveRestrictions::settle(const Island& island, State& state) const {
+void ActiveRestrictions::stop_what_hardly_moves(const Island& island, State& state) const {
   for (const int cube : island.cubes) {
     const Body& body = system_->body(cube);
-    const double zero = rate_tolerance * std::sqrt(system_->gravity.norm() * body.size.minCoeff());
+    const double zero = rate_tolerance * std::sqrt(system_->gravity.norm() * body.smaller_side());
     if (fastest_corner(body, state[cube]) > zero) return;
   }
   set_velocities(island, std::vector<Twist>(island.cubes.size()), state);

@@ -31,7 +31,7 @@ class ActiveRestrictions {
            bool struck,
            const std::vector<int>& jammed,
            Bookkeeping& book) const;
-  void settle(const Island& island, State& state) const;
+  void stop_what_hardly_moves(const Island& island, State& state) const;
 
   const System* system_;
   Skips skips_;

@@ -1,6 +1,7 @@
 #include "core/time/reference/algorithm_1.h"
 
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/pull_back.h"
 #include "core/model/points.h"
 #include "core/time/policy.h"
 
@@ -58,8 +59,7 @@ void Algorithm1::integrate(GridPoint& point, double dt) const {
     CubePoints points = points_of(s, body.size);
     for (std::size_t k = 0; k < points.p.size(); ++k) {
       const Vec2 r = points.p[k] - s.position;
-      const Vec2 a_k = a.linear + a.angular * perp(r) - s.spin * s.spin * r;
-      euler_step(points.p[k], points.v[k], a_k, dt, as_printed_);
+      euler_step(points.p[k], points.v[k], point_acceleration(a, s.spin, r), dt, as_printed_);
     }
     s = nearest_cube(points, body.size, body.mass, s);
   }

@@ -105,13 +105,6 @@ Step ControlledStepping::take_step(double t, double shortest, double& h) {
   }
 }
 
-bool ControlledStepping::is_slower_than(double speed) const {
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    if (fastest_corner(system_->bodies[i], state_[i]) > speed) return false;
-  }
-  return true;
-}
-
 State ControlledStepping::with_closed_gaps() {
   State state = state_;
   stepper_.close_gaps(state);

@@ -18,8 +18,6 @@ class ControlledStepping {
   [[nodiscard]] const std::shared_ptr<const StepRecord>& record() const { return record_; }
   /// Contacts that carried load in it.
   [[nodiscard]] std::vector<Contact> loaded() const { return stepper_.loaded(); }
-  /// Whether nothing moves faster than `speed` (m/s).
-  [[nodiscard]] bool is_slower_than(double speed) const;
   /// The state with the gaps closed of contacts that carried load in the last step.
   [[nodiscard]] State with_closed_gaps();
 

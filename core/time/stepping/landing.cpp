@@ -112,9 +112,8 @@ void Landing::hit(State& state, Bookkeeping& book) {
   const double slow = bounce_steps * stride_->scales.gravity * stride_->h;
   for (const Island& island : islands) {
     if (!closes(*system_, state, island)) continue;
-    const IslandSolution after = rubs(*system_, island) || bounces(*system_, island)
-                                     ? work_->friction.impact(state, island, slow)
-                                     : impact(*system_, state, island, work_->dynamics).after;
+    const IslandSolution after =
+        impact(*system_, state, island, slow, work_->dynamics, work_->friction).after;
     keep_book(after, book);
     const double least = after.least_pressing();
     for (std::size_t k = 0; k < island.contacts.size(); ++k) {
