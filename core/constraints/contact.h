@@ -1,6 +1,7 @@
 /// Contacts: triples (p_i, p_j, p_k) with Eq. (2) = 0, the candidates for active side restrictions.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -40,6 +41,9 @@ struct Contact {
   /// What stays the same from step to step.
   [[nodiscard]] ContactId id() const { return {on, from, corner, side}; }
 };
+
+/// id() as a number of the same order, not negative.
+std::int64_t name_of(const Contact& contact);
 
 /// Velocities of the three points of a contact.
 struct ContactVelocity {

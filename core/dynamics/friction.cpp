@@ -12,11 +12,8 @@ namespace {
 /// A name for every contact of an island.
 std::vector<std::uint64_t> keys_of(const Island& island) {
   std::vector<std::uint64_t> keys;
-  for (const Contact& c : island.contacts) {
-    const auto bits = [](int value) { return static_cast<std::uint64_t>(value); };
-    keys.push_back((((bits(c.on) << 28U) | bits(c.from)) << 8U) | (bits(c.corner) << 4U)
-                   | bits(c.side));
-  }
+  for (const Contact& c : island.contacts)
+    keys.push_back(static_cast<std::uint64_t>(name_of(c)));
   return keys;
 }
 

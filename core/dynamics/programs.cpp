@@ -16,18 +16,11 @@ std::array<Vec2, points_per_cube> arms_of(const CubePoints& points) {
   return arms;
 }
 
-/// The same for the same corner and side.
-std::int64_t name_of(const Contact& c) {
-  constexpr int body_bits = 29;
-  static_assert(Box::corners <= 4, "two bits each for corner and side");
-  return (((std::int64_t{c.on} << body_bits) | c.from) << 4) | (c.corner << 2) | c.side;
-}
-
 double bend_of(const Island& island, std::size_t rod, Order order) {
   return order == Order::position && !island.bends.empty() ? island.bends[rod] : 0.0;
 }
 
-/// Likewise, apart from those of contacts and of friction.
+/// The same for the same rod, apart from those of contacts and of friction.
 std::int64_t name_of_rod(int number) { return (std::int64_t{1} << 62) + number; }
 
 }  // namespace

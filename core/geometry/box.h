@@ -11,6 +11,9 @@
 
 namespace wuerfel {
 
+/// Two bodies touch where they overlap or gape by no more than this part of their smallest side.
+inline constexpr double touching_tolerance = 1e-9;
+
 struct Box {
   /// Corners, and sides as well.
   static constexpr int corners = 4;

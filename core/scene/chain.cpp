@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/box.h"
 #include "core/geometry/trig.h"
 #include "core/scene/place_finder.h"
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/box.h"
 #include "core/scene/place_finder.h"
 
 namespace wuerfel {

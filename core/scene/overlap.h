@@ -8,9 +8,6 @@
 
 namespace wuerfel {
 
-/// Two bodies touch where they overlap or gape by no more than this part of their smallest side.
-inline constexpr double touching_tolerance = 1e-9;
-
 enum class BodyKind { plane, fixed, cube, point };
 
 /// A body of a scene: index into Scene::planes, fixed, cubes or points.

@@ -81,7 +81,7 @@ class IslandMargins {
   LoadRange shift(int cube) {
     if (still_.system.body(cube).kind == BodyKind::point) return no_load;  // it has no room
     if (still_.system.gravity.isZero(0.0)) return {};                      // no weight, nowhere
-    const double side = still_.system.body(cube).size.minCoeff();
+    const double side = still_.system.body(cube).smaller_side();
     const double lever = side * still_.weight(cube);
     // A weight that acts at r turns with det(r, down) times itself.
     const double turn = det(right_of(still_.down()), still_.down());
@@ -111,7 +111,7 @@ std::optional<double> smallest_of(const StillScene& still,
   for (const BodyMargin& body : bodies) {
     if (still.island_of(body.cube) != island || is_empty(body.shift)) continue;
     const double share =
-        std::min(-body.shift.low, body.shift.high) / still.system.body(body.cube).size.minCoeff();
+        std::min(-body.shift.low, body.shift.high) / still.system.body(body.cube).smaller_side();
     if (!std::isfinite(share)) continue;
     // What falls is nearest to standing where it has to be shifted least.
     const bool better = !best || (share < 0.0 || *best < 0.0 ? share > *best : share < *best);
@@ -142,7 +142,7 @@ std::vector<double> shares_at_most(const StillScene& still, const Island& island
     const double shift = std::min(-part.shift.low, part.shift.high);
     for (const int cube : cubes) {
       const Body& body = still.system.body(cube);
-      most[cube] = std::min(most[cube], shift * part.mass / (body.mass * body.size.minCoeff()));
+      most[cube] = std::min(most[cube], shift * part.mass / (body.mass * body.smaller_side()));
     }
   }
   return most;
@@ -229,7 +229,7 @@ std::optional<Weakest> find_weakest(const StillScene& still) {
       if (best && most[cube] >= best->share) break;
       const LoadRange shift = margins.shift(cube);
       const double share =
-          std::min(-shift.low, shift.high) / still.system.body(cube).size.minCoeff();
+          std::min(-shift.low, shift.high) / still.system.body(cube).smaller_side();
       if (std::isfinite(share) && (!best || share < best->share)) best = {cube, share, shift};
     }
   }
