@@ -120,9 +120,9 @@ bool LoadFactor::exact_cut(const std::vector<double>& w, const std::vector<doubl
   double most = 0.0;
   for (const double f : result_.multiplier)
     most = std::max(most, std::abs(f));
+  const double least = pressing_share * most;
   for (int row = 0; row < program_.rows(); ++row)
-    tight_[row] =
-        program_.is_equality(row) || result_.multiplier[row] > pressing_share * most ? 1 : 0;
+    tight_[row] = program_.is_equality(row) || result_.multiplier[row] > least ? 1 : 0;
   for (int k = 0; k < program_.unknowns(); ++k)
     program_.target[k] = q[k] / program_.mass[k];
   equalities_.factorise(program_, &tight_);
