@@ -74,17 +74,21 @@ TEST_P(HostileProgram, JudgesARowOfZerosByItself) {
   }
 }
 
-/// Two bounds of one row, apart by less than the tolerance allows of so long a row: what one method
-/// solves no other calls infeasible.
+/// The second and the fourth row bound the same, apart by less than the tolerance allows of so long a
+/// row: what one method solves no other calls infeasible.
 TEST_P(HostileProgram, CallsNothingInfeasibleThatPassesForSolved) {
   QuadraticProgram program;
-  program.clear(1);
-  program.add_block(std::array{2.0}, std::array{-3.0});
-  program.add_equality(30.0);
-  program.add_entry(0, std::array{1e13});
-  program.add_inequality(60.0);
-  program.add_entry(0, std::array{1e13});
-  EXPECT_EQ(solve_by(GetParam(), program).status, QpStatus::optimal);
+  program.clear(3);
+  program.add_block(std::array{235.0, 23.0, 185.25}, std::array{3.0, 19.25, -100.0});
+  program.add_inequality(48.0);
+  program.add_entry(0, std::array{-128.0, -32.0, -32.0});
+  program.add_equality(30.5);
+  program.add_entry(0, std::array{-18.0, -5.75764e13, 57.0});
+  program.add_inequality(40.0);
+  program.add_entry(0, std::array{-100.0, -6.5, 48.0});
+  program.add_inequality(106.0);
+  program.add_entry(0, std::array{-18.0, -5.75764e13, 57.0});
+  EXPECT_NE(solve_by(GetParam(), program).status, QpStatus::infeasible);
 }
 
 TEST_P(HostileProgram, NamesWhatIsWrongWithAMalformedProgram) {
