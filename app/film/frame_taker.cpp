@@ -22,6 +22,9 @@ std::map<std::string, int> numbers_of(const Snapshot& snapshot) {
   return numbers;
 }
 
+/// By this share of an average times of frames and of looks may differ that are one.
+constexpr double rounding = 1e-6;
+
 bool is_same(const BodyState& a, const BodyState& b) {
   return a.position == b.position && a.angle == b.angle && a.velocity == b.velocity
          && a.spin == b.spin;
@@ -86,7 +89,7 @@ class JointSum {
 
 std::vector<TimetableEntry> with_looks(std::vector<TimetableEntry> instants, const LookBack& back) {
   if (!(back.average > 0.0)) return instants;
-  const double same = 1e-6 * back.average;  // times of frames and of looks differ by rounding
+  const double same = rounding * back.average;
   std::vector<TimetableEntry> looks;
   for (const TimetableEntry& instant : instants) {
     if (!instant.frame || instant.bare) continue;
@@ -114,9 +117,8 @@ void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
     impacts_.pop_front();
 }
 
-/// Nothing where nobody looked. Looks of other frames are as good as those of the own.
-const FrameTaker::Look* FrameTaker::look_at(double t) const {
-  const double close = 0.1 * back_.average / parts_of_average;
+/// Nothing where nobody looked.
+const FrameTaker::Look* FrameTaker::look_at(double t, double close) const {
   const auto look =
       std::ranges::find_if(looks_, [&](const Look& of) { return std::abs(of.t - t) < close; });
   return look == looks_.end() ? nullptr : &*look;
@@ -126,7 +128,8 @@ std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const 
   std::vector<std::pair<const Joints*, double>> own;  // with their weights, the oldest first
   double total = 0.0;
   for (int k = parts_of_average; k >= 0; --k) {
-    const Look* look = look_at(look_time(snapshot.time, back_.average, k));
+    const Look* look =
+        look_at(look_time(snapshot.time, back_.average, k), rounding * back_.average);
     if (look == nullptr || !look->joints) continue;
     own.emplace_back(look->joints.get(), k == 0 || k == parts_of_average ? 0.5 : 1.0);
     total += own.back().second;
@@ -166,7 +169,9 @@ std::vector<double> FrameTaker::averaged_loads(double t) const {
   Loads sum;
   int count = 0;
   for (int k = 0; k < load_looks(back_); ++k) {
-    const Look* look = look_at(look_time(t, back_.average, k));
+    // Looks of other frames, whose times are as good as these.
+    const double close = 0.1 * back_.average / parts_of_average;
+    const Look* look = look_at(look_time(t, back_.average, k), close);
     if (look == nullptr) continue;
     sum.resize(look->loads->size(), 0.0);
     std::ranges::transform(sum, *look->loads, sum.begin(), std::plus());
@@ -199,7 +204,7 @@ void FrameTaker::remember(double t, const Seen& seen) {
 /// What no frame from t on looks back to.
 void FrameTaker::forget(double t) {
   const auto is_over = [&](const Look& look, double memory) {
-    return look.t < t - memory * (1.0 + 1e-6);
+    return look.t < t - memory * (1.0 + rounding);
   };
   while (!looks_.empty() && is_over(looks_.front(), std::max(back_.average, back_.loads)))
     looks_.pop_front();

@@ -62,7 +62,7 @@ class FrameTaker {
   void remember(double t, const Seen& seen);
   void forget(double t);
   void notice_impacts(const std::vector<Event>& events, double t);
-  [[nodiscard]] const Look* look_at(double t) const;
+  [[nodiscard]] const Look* look_at(double t, double close) const;
   [[nodiscard]] Joints averaged(const Snapshot& snapshot) const;
   [[nodiscard]] Loads averaged_loads(double t) const;
   [[nodiscard]] std::vector<SnapshotImpact> marks(double t) const;
