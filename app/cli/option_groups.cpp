@@ -121,6 +121,8 @@ void add_look_options(Options& options, PictureOptions& picture) {
   options.single("--theme", "NAME", theme,
                  [&picture](const Text& text) { picture.theme = parse_theme(text); });
   options.offer("--theme", choices<Theme>());
+  add_choice(options, "--rasteriser,--rasterizer",
+             "who turns shapes into pixels (they differ by rounding)", picture.rasteriser);
   options.single(
       "--force-scale", "S[,L,F]",
       "length of force arrows in m per N, of the longest in m, and the smallest force shown "

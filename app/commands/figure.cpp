@@ -80,7 +80,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   require_effect(options, asked.still.motion);
   note_idle_picture_options(options, asked.still.picture.layers, notes);
   if (vector_format(lower_case(asked.output)))
-    note_idle(options, {"--encoder"}, "for .svg and .pdf", notes);
+    note_idle(options, {"--encoder", "--rasteriser"}, "for .svg and .pdf", notes);
   const Scene scene = read_scene(asked.scene);
   note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
   note_letters(scene, asked.still.picture.layers, notes);

@@ -30,7 +30,7 @@ void note_idle_options(const RunOptions& asked, const Options& options, Notes& n
     note_idle(options,
               {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
                "--velocity-scale", "--acceleration-scale", "--rod-scale", "--color", "--color-top",
-               "--explode", "--legend", "--average", "--encoder", "--hold"},
+               "--explode", "--legend", "--average", "--encoder", "--rasteriser", "--hold"},
               "without -o", notes);
     if (!asked.tables())
       note_idle(options, {"--fps", "--speed"}, "without -o, --states or --forces", notes);

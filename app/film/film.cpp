@@ -37,10 +37,10 @@ void Film::open_pipeline() {
   fitted_.legend = legend_of(fitted_, recording_.seen());
   const std::string settings = fmt::format("{} --fps {} --speed {} {}", option_text(fitted_),
                                            rate_.fps, rate_.speed, option_text(source_.motion));
-  pipeline_.emplace(
-      PipelineSettings{make_style(fitted_.theme), frame_options(fitted_),
-                       origin_texts(settings, normalised_scene(source_.scene)), fitted_.encoder},
-      outputs_.pipeline_outputs());
+  pipeline_.emplace(PipelineSettings{make_style(fitted_.theme), frame_options(fitted_),
+                                     origin_texts(settings, normalised_scene(source_.scene)),
+                                     fitted_.encoder, fitted_.rasteriser},
+                    outputs_.pipeline_outputs());
 }
 
 void Film::add(Snapshot snapshot) {

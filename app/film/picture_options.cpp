@@ -110,6 +110,8 @@ std::string option_text(const PictureOptions& fitted) {
   std::string text =
       fmt::format("--size {}x{} --layers {} --theme {} {}", fitted.size.width, fitted.size.height,
                   to_string(fitted.layers), to_string(fitted.theme), option_text(fitted.camera));
+  if (fitted.rasteriser != PictureOptions{}.rasteriser)
+    text += fmt::format(" --rasteriser {}", to_string(fitted.rasteriser));
   if (fitted.scale != 1.0) text += fmt::format(" --scale {}", fitted.scale);
   if (fitted.force_scale && fitted.force_scale->whole) {
     const ForceScale& scale = *fitted.force_scale->whole;

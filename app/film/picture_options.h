@@ -16,6 +16,7 @@
 #include "render/picture/frame_options.h"
 #include "render/picture/layers.h"
 #include "render/picture/style.h"
+#include "render/raster/rasteriser.h"
 
 namespace wuerfel {
 
@@ -47,6 +48,7 @@ struct PictureOptions {
   int foot_lines = 1;                      ///< of text at the foot
   double explode = 0.0;                    ///< bodies are so much farther apart than they are
   PngEncoder encoder = PngEncoder::isa_l;  ///< changes files, not pictures
+  Rasteriser rasteriser = Rasteriser::scan_lines;
 };
 
 /// What is drawn: of free bodies all forces, with weights and numbers, unless layers were `asked` for.

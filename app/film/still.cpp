@@ -228,6 +228,7 @@ Still compose_still(const Scene& scene,
   const MotionSource source = source_of(scene, options, instants, stop);
   Recording motion(source);
   Still still;
+  still.rasteriser = options.picture.rasteriser;
   Snapshot first;
   still.accuracy = source.show_frames([&](const Snapshot& snapshot) {
     if (first.boxes.empty()) first = snapshot;
@@ -245,7 +246,7 @@ Still compose_still(const Scene& scene,
 }
 
 Image draw_still(const Still& still) {
-  Renderer renderer;
+  Renderer renderer(still.rasteriser);
   Image image;
   renderer.draw(still.page, image);
   Image cell;

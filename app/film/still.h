@@ -43,7 +43,8 @@ struct Still {
   AccuracyWatch accuracy;
   int labels_left_out = 0;
   int legend_left_out = 0;  ///< entries
-  std::string hint;         ///< how more would be seen; see hint_at_specks
+  Rasteriser rasteriser = Rasteriser::scan_lines;
+  std::string hint;  ///< how more would be seen; see hint_at_specks
 };
 
 /// Simulates up to the last of the times. Throws SceneError, RenderError,

@@ -41,7 +41,7 @@ PictureOptions picture_options(const SampleFiles& files) {
 Renderer& Renderers::mine() {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<Renderer>& renderer = all_[std::this_thread::get_id()];
-  if (!renderer) renderer = std::make_unique<Renderer>(RasterThreads::caller);
+  if (!renderer) renderer = std::make_unique<Renderer>();
   return *renderer;
 }
 

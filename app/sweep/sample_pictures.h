@@ -22,7 +22,7 @@ namespace wuerfel {
 /// One renderer for each thread that draws, kept between samples.
 class Renderers {
  public:
-  /// That of the calling thread. Throws LibraryError where OSMesa is missing.
+  /// That of the calling thread.
   Renderer& mine();
 
  private:

@@ -1,11 +1,9 @@
 #version 330 core
-// Two quads around an arrow, a narrow one for the shaft and a wide one for the head; or, where that costs less, one
-// around all of it. Pixels, y down; the fragment shader's y is up.
+// One quad around an arrow. Pixels, y down; the fragment shader's y is up.
 layout(location = 0) in vec2 tail;
 layout(location = 1) in vec2 tip;
 layout(location = 2) in vec4 shape;  // half width, head length, head half width, grow
 layout(location = 3) in vec4 stroke;
-layout(location = 4) in float part;  // of the arrow that the quad is around: 0 all of it, 1 the shaft, 2 the head
 uniform vec2 picture;
 flat out vec2 f_tail;
 flat out vec2 f_axis;
@@ -24,13 +22,9 @@ void main() {
   float base = reach - head;
   float grow = shape.w;
   // The grown head's corners run ahead of the head by up to 3.2 times the growth.
-  float margin = 3.5 * grow + 1.0;
-  bool whole = part < 0.5;
-  bool in_head = whole || part > 1.5;
-  float from = whole ? -grow - 1.0 : in_head ? base - margin : -grow - 1.0;
-  float to = in_head ? reach + margin : base - margin;
-  float side = in_head ? max(shape.x, wing) + margin : shape.x + grow + 1.0;
-  vec2 local = vec2((gl_VertexID & 2) == 0 ? min(from, to) : to, (gl_VertexID & 1) == 0 ? -side : side);
+  float margin = 3.5 * max(grow, 0.0) + 1.0;
+  float side = max(shape.x, wing) + margin;
+  vec2 local = vec2((gl_VertexID & 2) == 0 ? min(-margin, base - margin) : reach + margin, (gl_VertexID & 1) == 0 ? -side : side);
   vec2 pixel = tail + local.x * axis + local.y * vec2(-axis.y, axis.x);
   gl_Position = vec4(2.0 * pixel.x / picture.x - 1.0, 2.0 * pixel.y / picture.y - 1.0, 0.0, 1.0);
   f_tail = vec2(tail.x, picture.y - tail.y);

@@ -1,5 +1,5 @@
 /// DrawList: a picture as plain shapes in pixels, in the order in which they are painted. Every
-/// backend (OSMesa, Cairo) draws the same list, and tests can look at it without drawing.
+/// backend (scan lines, OSMesa, Cairo) draws the same list, and tests can look at it without drawing.
 ///
 /// Pixels: x to the right, y down, (0, 0) the upper left corner of the picture. Colours have
 /// straight alpha.
@@ -140,5 +140,23 @@ struct DrawList {
   void add(const DiscShape& shape);
   void add(const TriangleShape& shape);
 };
+
+/// Calls `work` with the shapes of a kind.
+template <typename Work>
+auto with_shapes(const DrawList& list, ShapeKind kind, const Work& work) {
+  switch (kind) {
+    case ShapeKind::segment:
+      return work(list.segments);
+    case ShapeKind::arrow:
+      return work(list.arrows);
+    case ShapeKind::disc:
+      return work(list.discs);
+    case ShapeKind::triangle:
+      return work(list.triangles);
+    case ShapeKind::box:
+      break;
+  }
+  return work(list.boxes);
+}
 
 }  // namespace wuerfel

@@ -73,7 +73,7 @@ void FramePipeline::finish() {
 }
 
 void FramePipeline::draw_frames() {
-  Renderer renderer(RasterThreads::caller);
+  Renderer renderer(settings_.rasteriser);
   const bool shows_time = settings_.options.layers.has(Layer::hud);
   DrawList last;
   std::optional<std::uint64_t> last_revision;

@@ -20,6 +20,7 @@
 #include "render/picture/view.h"
 #include "render/pipeline/bounded_queue.h"
 #include "render/raster/image.h"
+#include "render/raster/rasteriser.h"
 #include "render/raster/row_set.h"
 
 namespace wuerfel {
@@ -33,6 +34,7 @@ struct PipelineSettings {
   FrameOptions options;
   std::vector<PngText> texts;  ///< of every PNG; compressed once
   PngEncoder encoder = PngEncoder::isa_l;
+  Rasteriser rasteriser = Rasteriser::scan_lines;
 };
 
 /// What is to be drawn, how it is looked at, and what its PNG says of it.

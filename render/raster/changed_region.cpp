@@ -4,72 +4,10 @@
 #include <cmath>
 #include <type_traits>
 
+#include "render/raster/extent.h"
+
 namespace wuerfel::internal {
 namespace {
-
-/// In pixels, wide enough for every pixel that a shape may change.
-struct Extent {
-  float left = 0.0F;
-  float top = 0.0F;
-  float right = 0.0F;
-  float bottom = 0.0F;
-};
-
-Extent around(Pixel a, Pixel b, float margin) {
-  return {std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin, std::max(a.x, b.x) + margin,
-          std::max(a.y, b.y) + margin};
-}
-
-// The quads of assets/shaders reach one pixel farther than their shapes.
-constexpr float fringe = 2.0F;
-
-Extent extent(const BoxShape& box) {
-  const float width = box.half_size.x + fringe;
-  const float height = box.half_size.y + fringe;
-  const float x = std::abs(box.axis.x) * width + std::abs(box.axis.y) * height;
-  const float y = std::abs(box.axis.y) * width + std::abs(box.axis.x) * height;
-  return {box.center.x - x, box.center.y - y, box.center.x + x, box.center.y + y};
-}
-
-Extent extent(const SegmentShape& segment) {
-  return around(segment.from, segment.to, 2.0F * (segment.half_width + fringe));
-}
-
-Extent extent(const ArrowShape& arrow) {
-  // A halo's corners run ahead by up to 3.5 times its width; the head's by its own half width.
-  const float margin = std::max(arrow.half_width, arrow.head_half_width) + arrow.head_length
-                       + 3.5F * arrow.grow + fringe;
-  return around(arrow.tail, arrow.tip, 1.5F * margin);
-}
-
-Extent extent(const DiscShape& disc) {
-  return around(disc.center, disc.center, disc.radius + fringe);
-}
-
-Extent extent(const TriangleShape& triangle) {
-  const Extent ab = around(triangle.a, triangle.b, fringe);
-  const Extent bc = around(triangle.b, triangle.c, fringe);
-  return {std::min(ab.left, bc.left), std::min(ab.top, bc.top), std::max(ab.right, bc.right),
-          std::max(ab.bottom, bc.bottom)};
-}
-
-/// Calls `work` with the shapes of a kind.
-template <typename Work>
-auto with_shapes(const DrawList& list, ShapeKind kind, const Work& work) {
-  switch (kind) {
-    case ShapeKind::segment:
-      return work(list.segments);
-    case ShapeKind::arrow:
-      return work(list.arrows);
-    case ShapeKind::disc:
-      return work(list.discs);
-    case ShapeKind::triangle:
-      return work(list.triangles);
-    case ShapeKind::box:
-      break;
-  }
-  return work(list.boxes);
-}
 
 /// The smallest region around all that was added, cut off at the picture.
 class GrowingRegion {
@@ -187,15 +125,6 @@ RowSet changed_text_rows(const DrawList& before, const DrawList& after) {
     if (is) rows.add(rows_of(after.texts[i], after.height));
   }
   return rows;
-}
-
-bool touches(const DrawList& list, ShapeKind kind, std::size_t index, const Region& region) {
-  const Extent shape =
-      with_shapes(list, kind, [index](const auto& shapes) { return extent(shapes[index]); });
-  return !(shape.right < static_cast<float>(region.left)
-           || shape.left > static_cast<float>(region.right)
-           || shape.bottom < static_cast<float>(region.top)
-           || shape.top > static_cast<float>(region.bottom));
 }
 
 }  // namespace wuerfel::internal

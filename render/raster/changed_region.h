@@ -33,7 +33,4 @@ RowSet changed_text_rows(const DrawList& before, const DrawList& after);
 /// Rows that hold all pixels of a text, in a picture of this height.
 RowRange rows_of(const TextShape& text, int height);
 
-/// False only where no pixel of the shape lies in `region`.
-bool touches(const DrawList& list, ShapeKind kind, std::size_t index, const Region& region);
-
 }  // namespace wuerfel::internal

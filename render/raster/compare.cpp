@@ -149,7 +149,7 @@ Image side_by_side(const Image& expected,
     title.baseline = {static_cast<float>(x), static_cast<float>(y - 8)};
     title.size = 13.0F;
     title.color = rgb(0x1B2430);
-    internal::blend_text(title, font, sheet);
+    internal::blend_text(title, {0, sheet.height()}, font, sheet);
     if (in_a_row) {
       x += part.width() + gap;
     } else {

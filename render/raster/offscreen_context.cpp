@@ -24,21 +24,21 @@ struct OffscreenContext::Library {
   decltype(&OSMesaMakeCurrent) make_current = nullptr;
   decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
 
-  explicit Library(RasterThreads threads);
-  static const Library& loaded(RasterThreads threads);
+  Library();
+  static const Library& loaded();
 };
 
 namespace {
 
 /// llvmpipe is the only driver whose pixels we know, and other settings of these variables change
 /// pixels or crash it (swr, zink and 512-bit vectors do).
-void settle_environment(RasterThreads threads) {
+void settle_environment() {
   setenv("GALLIUM_DRIVER", "llvmpipe", 1);
   for (const char* name : {"LP_NATIVE_VECTOR_WIDTH", "GALLIVM_PERF", "GALLIVM_DEBUG",
                            "GALLIUM_OVERRIDE_CPU_CAPS", "LP_DEBUG", "LP_PERF"}) {
     unsetenv(name);
   }
-  if (threads == RasterThreads::caller) setenv("LP_NUM_THREADS", "0", 1);
+  setenv("LP_NUM_THREADS", "0", 1);  // the calling thread alone draws
 }
 
 std::string text_of(const GLubyte* text) {
@@ -47,8 +47,8 @@ std::string text_of(const GLubyte* text) {
 
 }  // namespace
 
-OffscreenContext::Library::Library(RasterThreads threads) {
-  settle_environment(threads);
+OffscreenContext::Library::Library() {
+  settle_environment();
   const SharedLibrary file("libOSMesa.so.8", "pictures need OSMesa", "libosmesa6");
   file.find("OSMesaCreateContextAttribs", create_context);
   file.find("OSMesaDestroyContext", destroy_context);
@@ -56,12 +56,12 @@ OffscreenContext::Library::Library(RasterThreads threads) {
   file.find("OSMesaGetProcAddress", get_proc_address);
 }
 
-const OffscreenContext::Library& OffscreenContext::Library::loaded(RasterThreads threads) {
-  static const Library library(threads);
+const OffscreenContext::Library& OffscreenContext::Library::loaded() {
+  static const Library library;
   return library;
 }
 
-OffscreenContext::OffscreenContext(RasterThreads threads) : library_(Library::loaded(threads)) {
+OffscreenContext::OffscreenContext() : library_(Library::loaded()) {
   constexpr std::array<int, 13> attributes{OSMESA_FORMAT,
                                            OSMESA_RGBA,
                                            OSMESA_DEPTH_BITS,
@@ -91,8 +91,7 @@ OffscreenContext::OffscreenContext(RasterThreads threads) : library_(Library::lo
     library_.destroy_context(static_cast<OSMesaContext>(context_));
     throw LibraryError("OSMesa draws by " + description_ + " instead of llvmpipe");
   }
-  ground_ = make_surface();
-  canvas_ = make_surface();
+  make_surface();
 }
 
 bool OffscreenContext::make_current() {
@@ -106,32 +105,25 @@ OffscreenContext::~OffscreenContext() {
   library_.destroy_context(static_cast<OSMesaContext>(context_));
 }
 
-OffscreenContext::Surface OffscreenContext::make_surface() {
-  Surface made;
-  gl_.GenFramebuffers(1, &made.framebuffer);
-  gl_.GenRenderbuffers(1, &made.pixels);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, made.framebuffer);
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, made.pixels);
-  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, made.pixels);
-  return made;
-}
-
-void OffscreenContext::resize(const Surface& surface, int width, int height) {
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer);
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, surface.pixels);
-  gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw LibraryError("OSMesa cannot draw a picture of " + std::to_string(width) + "x"
-                       + std::to_string(height) + " pixels");
-  }
+void OffscreenContext::make_surface() {
+  GLuint framebuffer = 0;
+  GLuint pixels = 0;
+  gl_.GenFramebuffers(1, &framebuffer);
+  gl_.GenRenderbuffers(1, &pixels);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, pixels);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels);
 }
 
 void OffscreenContext::use_canvas(int width, int height) {
   if (!make_current()) throw LibraryError("OSMesa cannot make its context current");
   if (width == width_ && height == height_) return;
-  ground_color_.reset();
   width_ = 0;
-  resize(canvas_, width, height);
+  gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw LibraryError("OSMesa cannot draw a picture of " + std::to_string(width) + "x"
+                       + std::to_string(height) + " pixels");
+  }
   gl_.Viewport(0, 0, width, height);
   width_ = width;
   height_ = height;
@@ -139,27 +131,10 @@ void OffscreenContext::use_canvas(int width, int height) {
 
 void OffscreenContext::clear(Color color) {
   const float alpha = static_cast<float>(color.a) / 255.0F;
-  gl_.Disable(GL_SCISSOR_TEST);
   gl_.ClearColor(static_cast<float>(color.r) / 255.0F * alpha,
                  static_cast<float>(color.g) / 255.0F * alpha,
                  static_cast<float>(color.b) / 255.0F * alpha, alpha);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
-}
-
-void OffscreenContext::clear(const Region& region, Color color) {
-  gl_.Disable(GL_SCISSOR_TEST);
-  if (ground_color_ != color) {
-    resize(ground_, width_, height_);
-    clear(color);
-    ground_color_ = color;
-    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas_.framebuffer);
-  }
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, ground_.framebuffer);
-  gl_.BlitFramebuffer(region.left, region.top, region.right, region.bottom, region.left, region.top,
-                      region.right, region.bottom, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, canvas_.framebuffer);
-  gl_.Enable(GL_SCISSOR_TEST);
-  gl_.Scissor(region.left, region.top, region.width(), region.height());
 }
 
 void OffscreenContext::read(const RowSet& rows, Image& image) {

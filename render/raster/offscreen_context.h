@@ -1,19 +1,15 @@
 /// OffscreenContext: OpenGL 3.3 core without a window, drawn by the processor (OSMesa's llvmpipe) on
-/// a canvas from which rows are read into an Image. Nothing else knows OSMesa, which Mesa 25.1 removed: another context can
-/// take its place here.
+/// a canvas from which rows are read into an Image. Nothing else knows OSMesa, which Mesa 25.1 removed.
 #pragma once
 
 // The prototypes give the function types; the functions themselves are found at run time.
 #define GL_GLEXT_PROTOTYPES
-#include <optional>
 #include <string>
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "render/raster/changed_region.h"
 #include "render/raster/image.h"
-#include "render/raster/raster_threads.h"
 #include "render/raster/row_set.h"
 
 namespace wuerfel::internal {
@@ -21,13 +17,13 @@ namespace wuerfel::internal {
 /// Every OpenGL function that is used, once.
 // clang-format off
 #define WUERFEL_GL_FUNCTIONS(X)                                                                        \
-  X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BindVertexArray) X(BlendFunc) X(BlitFramebuffer) \
+  X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) X(BindVertexArray) X(BlendFunc) \
   X(BufferData) X(CheckFramebufferStatus) X(Clear) X(ClearColor)                                       \
   X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers) X(DeleteProgram) X(DeleteShader)  \
-  X(DeleteVertexArrays) X(Disable) X(DrawElements) X(Enable) X(EnableVertexAttribArray)                     \
+  X(DeleteVertexArrays) X(DrawElements) X(Enable) X(EnableVertexAttribArray)                     \
   X(FramebufferRenderbuffer) X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenVertexArrays)   \
   X(GetError) X(GetProgramInfoLog) X(GetProgramiv)                    \
-  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadPixels) X(RenderbufferStorage) X(Scissor) X(ShaderSource) \
+  X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(PixelStorei) X(ReadPixels) X(RenderbufferStorage) X(ShaderSource) \
   X(Uniform1i) X(Uniform2f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
@@ -42,7 +38,7 @@ class OffscreenContext {
  public:
   /// Loads OSMesa and makes a context. Throws LibraryError where OSMesa is missing, has no core 3.3
   /// or draws by anything else than llvmpipe (whose pixels are the ones we know).
-  explicit OffscreenContext(RasterThreads threads);
+  OffscreenContext();
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
@@ -50,12 +46,10 @@ class OffscreenContext {
   OffscreenContext& operator=(OffscreenContext&&) = delete;
 
   /// What is drawn from now on is drawn on a canvas of this size, whose row 0 is the upper one and
-  /// has y = 0. It keeps what was drawn before, if in the same size.
+  /// has y = 0.
   void use_canvas(int width, int height);
-  /// Fills the canvas with a colour, or a part of it outside of which nothing is drawn until the next
-  /// call.
+  /// Fills the canvas with a colour.
   void clear(Color color);
-  void clear(const Region& region, Color color);
   /// Copies rows of the canvas into an image of its size. Throws LibraryError where OpenGL reports
   /// an error.
   void read(const RowSet& rows, Image& image);
@@ -65,23 +59,13 @@ class OffscreenContext {
 
  private:
   bool make_current();
-
-  /// Pixels that OpenGL draws on.
-  struct Surface {
-    GLuint framebuffer = 0;
-    GLuint pixels = 0;
-  };
-  Surface make_surface();
-  void resize(const Surface& surface, int width, int height);
+  void make_surface();
 
   struct Library;
   const Library& library_;
   void* context_ = nullptr;
   Image window_{16, 16};  ///< OSMesa wants one; nothing is drawn into it
-  Surface canvas_;
-  Surface ground_;  ///< what a part of the canvas is cleared by: copying is faster than drawing
-  std::optional<Color> ground_color_;
-  int width_ = 0;  ///< px, of the canvas
+  int width_ = 0;         ///< px, of the canvas
   int height_ = 0;
   GlFunctions gl_;
   std::string description_;

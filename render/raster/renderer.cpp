@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 
-#include "render/error.h"
 #include "render/raster/changed_region.h"
 #include "render/raster/offscreen_context.h"
+#include "render/raster/scan_lines.h"
 #include "render/raster/shape_pipeline.h"
 #include "render/raster/text.h"
 
@@ -36,57 +36,20 @@ void undo_premultiplication(const RowRange& rows, Image& image) {
 /// The context, and the pipeline of each kind of shape from the first one drawn on.
 class Renderer::OpenGl {
  public:
-  explicit OpenGl(RasterThreads threads) : context_(threads) {}
-
-  /// Draws the shapes of `list`, without its texts: only what has changed since the picture before,
-  /// which the canvas keeps. Returns the rows that have changed, those of texts included.
-  RowSet draw(const DrawList& list) {
+  /// Draws the shapes of `list`, without its texts, and copies these rows.
+  void draw(const DrawList& list, const RowSet& rows, Image& image) {
     context_.use_canvas(list.width, list.height);
-    const internal::Region region = region_to_draw(list);
-    RowSet rows = changed_rows(list, region);
-    last_.reset();
-    clear(list, region);
+    context_.clear(list.background);
     const internal::GlFunctions& gl = context_.gl();
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const ShapeRun& run : list.runs)
-      pipeline(run.kind).draw(list, run, region);
-    last_ = list;
-    return rows;
+      pipeline(run.kind).draw(list, run);
+    context_.read(rows, image);
   }
-  /// The rows as they were drawn.
-  void read(const RowSet& rows, Image& image) { context_.read(rows, image); }
   const std::string& description() const { return context_.description(); }
 
  private:
-  internal::Region region_to_draw(const DrawList& list) const {
-    const internal::Region whole = internal::whole_picture(list);
-    const bool comparable = last_ && last_->width == list.width && last_->height == list.height
-                            && last_->background == list.background;
-    if (!comparable) return whole;
-    const internal::Region changed = internal::changed_region(*last_, list);
-    // A whole picture is cleared faster than a part of it.
-    constexpr double large = 0.8;
-    const double area = static_cast<double>(changed.width()) * changed.height();
-    return area > large * whole.width() * whole.height() ? whole : changed;
-  }
-
-  RowSet changed_rows(const DrawList& list, const internal::Region& region) const {
-    RowSet rows(RowRange{region.top, region.bottom, region.left, region.right});
-    if (region != internal::whole_picture(list))
-      rows.add(internal::changed_text_rows(*last_, list));
-    return rows;
-  }
-
-  /// Fills the region with the background; nothing outside of it will be drawn.
-  void clear(const DrawList& list, const internal::Region& region) {
-    if (region == internal::whole_picture(list)) {
-      context_.clear(list.background);
-    } else {
-      context_.clear(region, list.background);
-    }
-  }
-
   internal::ShapePipeline& pipeline(ShapeKind kind) {
     std::unique_ptr<internal::ShapePipeline>& entry = pipelines_.at(static_cast<std::size_t>(kind));
     if (!entry) entry = std::make_unique<internal::ShapePipeline>(context_.gl(), kind);
@@ -95,16 +58,29 @@ class Renderer::OpenGl {
 
   internal::OffscreenContext context_;
   std::array<std::unique_ptr<internal::ShapePipeline>, 5> pipelines_;
-  std::optional<DrawList> last_;  ///< what the context shows
 };
 
-Renderer::Renderer(RasterThreads threads) : gl_(std::make_unique<OpenGl>(threads)) {}
+std::string_view to_string(Rasteriser rasteriser) {
+  switch (rasteriser) {
+    case Rasteriser::scan_lines:
+      return "scan-lines";
+    case Rasteriser::osmesa:
+      return "osmesa";
+  }
+  return "?";
+}
+
+Renderer::Renderer(Rasteriser rasteriser) {
+  if (rasteriser == Rasteriser::osmesa) gl_ = std::make_unique<OpenGl>();
+}
 
 Renderer::~Renderer() = default;
 
 Font& Renderer::font() { return font_; }
 
-const std::string& Renderer::description() const { return gl_->description(); }
+std::string Renderer::description() const {
+  return gl_ ? gl_->description() : std::string(to_string(Rasteriser::scan_lines));
+}
 
 namespace {
 
@@ -133,16 +109,14 @@ void fill_exactly(const DrawList& list, Image& image) {
   }
 }
 
-/// A text that is drawn is drawn wholly, on rows without any of it.
-void add_rows_of_texts(const DrawList& list, RowSet& rows) {
-  for (bool grown = true; grown;) {
-    const RowSet before = rows;
-    for (const TextShape& text : list.texts) {
-      const RowRange own = internal::rows_of(text, list.height);
-      if (rows.touches(own)) rows.add(own);
-    }
-    grown = rows != before;
-  }
+RowSet changed_rows(const DrawList& before, const DrawList& after) {
+  if (before.width != after.width || before.height != after.height
+      || before.background != after.background)
+    return RowRange{0, after.height};
+  const internal::Region region = internal::changed_region(before, after);
+  RowSet rows(RowRange{region.top, region.bottom, region.left, region.right});
+  rows.add(internal::changed_text_rows(before, after));
+  return rows;
 }
 
 }  // namespace
@@ -155,20 +129,24 @@ RowSet Renderer::draw(const DrawList& list, Image& image, const std::optional<Ro
     fill_exactly(list, image);
     return all;
   }
-  RowSet changed = gl_->draw(list);
+  RowSet changed = last_ ? changed_rows(*last_, list) : all;
   RowSet rows = is_new || !stale ? all : *stale;
   rows.add(changed);
-  add_rows_of_texts(list, rows);
-  gl_->read(rows, image);
-  for (const TextShape& text : list.texts) {
-    if (rows.touches(internal::rows_of(text, list.height)))
-      internal::blend_text(text, font_, image);
+  last_.reset();
+  draw_shapes(list, rows, image);
+  for (const RowRange& range : rows.ranges()) {
+    for (const TextShape& text : list.texts)
+      internal::blend_text(text, range, font_, image);
+    if (list.background.a != 255) undo_premultiplication(range, image);
   }
-  if (list.background.a != 255) {
-    for (const RowRange& range : rows.ranges())
-      undo_premultiplication(range, image);
-  }
+  last_ = list;
   return changed;
+}
+
+void Renderer::draw_shapes(const DrawList& list, const RowSet& rows, Image& image) {
+  if (gl_) return gl_->draw(list, rows, image);
+  for (const RowRange& range : rows.ranges())
+    internal::draw_scan_lines(list, range, image);
 }
 
 }  // namespace wuerfel

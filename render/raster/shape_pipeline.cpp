@@ -1,7 +1,6 @@
 #include "render/raster/shape_pipeline.h"
 
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <span>
 #include <string>
@@ -24,7 +23,6 @@ struct Attribute {
 
 struct Layout {
   std::size_t shape = 0;  ///< bytes
-  std::size_t stride = 0;
   std::span<const Attribute> attributes;
 };
 
@@ -37,8 +35,7 @@ constexpr std::array segment_attributes{
     Attribute{2, offsetof(SegmentShape, half_width)}, Attribute{0, offsetof(SegmentShape, color)}};
 constexpr std::array arrow_attributes{
     Attribute{2, offsetof(ArrowShape, tail)}, Attribute{2, offsetof(ArrowShape, tip)},
-    Attribute{4, offsetof(ArrowShape, half_width)}, Attribute{0, offsetof(ArrowShape, color)},
-    Attribute{1, sizeof(ArrowShape)}};  // the part
+    Attribute{4, offsetof(ArrowShape, half_width)}, Attribute{0, offsetof(ArrowShape, color)}};
 constexpr std::array disc_attributes{
     Attribute{2, offsetof(DiscShape, center)}, Attribute{2, offsetof(DiscShape, radius)},
     Attribute{0, offsetof(DiscShape, fill)}, Attribute{0, offsetof(DiscShape, outline)}};
@@ -52,45 +49,17 @@ constexpr std::array triangle_attributes{Attribute{2, offsetof(TriangleShape, a)
 Layout layout_of(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::segment:
-      return {sizeof(SegmentShape), sizeof(SegmentShape), segment_attributes};
+      return {sizeof(SegmentShape), segment_attributes};
     case ShapeKind::arrow:
-      return {sizeof(ArrowShape), sizeof(ArrowShape) + sizeof(float), arrow_attributes};
+      return {sizeof(ArrowShape), arrow_attributes};
     case ShapeKind::disc:
-      return {sizeof(DiscShape), sizeof(DiscShape), disc_attributes};
+      return {sizeof(DiscShape), disc_attributes};
     case ShapeKind::triangle:
-      return {sizeof(TriangleShape), sizeof(TriangleShape), triangle_attributes};
+      return {sizeof(TriangleShape), triangle_attributes};
     case ShapeKind::box:
       break;
   }
-  return {sizeof(BoxShape), sizeof(BoxShape), box_attributes};
-}
-
-const void* shapes_of(const DrawList& list, ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::segment:
-      return list.segments.data();
-    case ShapeKind::arrow:
-      return list.arrows.data();
-    case ShapeKind::disc:
-      return list.discs.data();
-    case ShapeKind::triangle:
-      return list.triangles.data();
-    case ShapeKind::box:
-      break;
-  }
-  return list.boxes.data();
-}
-
-/// What a vertex of an arrow carries behind the shape: the part of the arrow that its quad is around.
-constexpr float whole_arrow = 0.0F;
-constexpr float shaft_of_arrow = 1.0F;
-constexpr float head_of_arrow = 2.0F;
-
-/// True where a second quad would cost more than the pixels beside the shaft that it saves.
-bool takes_one_quad(const ArrowShape& arrow) {
-  constexpr float quad_cost = 300.0F;  // px
-  const float length = std::hypot(arrow.tip.x - arrow.tail.x, arrow.tip.y - arrow.tail.y);
-  return 2.0F * length * (arrow.head_half_width - arrow.half_width) < quad_cost;
+  return {sizeof(BoxShape), box_attributes};
 }
 
 GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view source) {
@@ -112,7 +81,7 @@ GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view source) {
 }  // namespace
 
 ShapePipeline::ShapePipeline(const GlFunctions& gl, ShapeKind kind)
-    : gl_(gl), kind_(kind), shape_size_(layout_of(kind).shape), stride_(layout_of(kind).stride) {
+    : gl_(gl), kind_(kind), shape_size_(layout_of(kind).shape) {
   const ShaderSource source = embedded_shader(kind);
   program_ = gl_.CreateProgram();
   for (const GLuint shader : {compile(gl_, GL_VERTEX_SHADER, source.vertex),
@@ -156,7 +125,7 @@ void ShapePipeline::describe_vertices() {
     gl_.EnableVertexAttribArray(index);
     gl_.VertexAttribPointer(index, color ? 4 : attribute.floats,
                             color ? GL_UNSIGNED_BYTE : GL_FLOAT, color ? GL_TRUE : GL_FALSE,
-                            static_cast<GLsizei>(layout.stride), offset);
+                            static_cast<GLsizei>(layout.shape), offset);
     ++index;
   }
 }
@@ -175,44 +144,20 @@ void ShapePipeline::make_indices(std::size_t quads) {
                  GL_STATIC_DRAW);
 }
 
-/// The corners of a quad around a shape.
-void ShapePipeline::add_quad(const std::byte* shape) {
-  for (std::size_t copy = 0; copy < vertices_of_quad; ++copy)
-    vertices_.insert(vertices_.end(), shape, shape + shape_size_);
-}
-
-/// The same around a part of an arrow.
-void ShapePipeline::add_quad(const std::byte* shape, float part) {
-  const auto* const bytes = reinterpret_cast<const std::byte*>(&part);
-  for (std::size_t copy = 0; copy < vertices_of_quad; ++copy) {
-    vertices_.insert(vertices_.end(), shape, shape + shape_size_);
-    vertices_.insert(vertices_.end(), bytes, bytes + sizeof part);
-  }
-}
-
-void ShapePipeline::add_quads(const DrawList& list, std::size_t i) {
-  const std::byte* const shape =
-      static_cast<const std::byte*>(shapes_of(list, kind_)) + i * shape_size_;
-  if (kind_ != ShapeKind::arrow) {
-    add_quad(shape);
-  } else if (takes_one_quad(list.arrows[i])) {
-    add_quad(shape, whole_arrow);
-  } else {
-    add_quad(shape, shaft_of_arrow);
-    add_quad(shape, head_of_arrow);
-  }
-}
-
-void ShapePipeline::draw(const DrawList& list, const ShapeRun& run, const Region& region) {
+void ShapePipeline::draw(const DrawList& list, const ShapeRun& run) {
   vertices_.clear();
-  for (std::size_t i = run.first; i < run.first + run.count; ++i)
-    if (touches(list, kind_, i, region)) add_quads(list, i);
-  if (vertices_.empty()) return;
+  with_shapes(list, kind_, [&](const auto& shapes) {
+    const auto* const bytes = reinterpret_cast<const std::byte*>(shapes.data() + run.first);
+    for (std::size_t i = 0; i < run.count * vertices_of_quad; ++i) {
+      const std::byte* const shape = bytes + i / vertices_of_quad * shape_size_;
+      vertices_.insert(vertices_.end(), shape, shape + shape_size_);
+    }
+  });
   gl_.UseProgram(program_);
   gl_.Uniform2f(picture_, static_cast<float>(list.width), static_cast<float>(list.height));
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertex_buffer_);
-  draw_quads(vertices_.size() / (vertices_of_quad * stride_));
+  draw_quads(run.count);
 }
 
 void ShapePipeline::draw_quads(std::size_t count) {

@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "render/picture/draw_list.h"
-#include "render/raster/changed_region.h"
 #include "render/raster/offscreen_context.h"
 
 namespace wuerfel::internal {
 
-/// Draws all shapes of a run at once, each in a quad (a long arrow in two) whose fragments know how
-/// far they are from the shape's edge. Every vertex carries the whole shape: drawing instances
+/// Draws all shapes of a run at once, each in a quad whose fragments know how far they are from the
+/// shape's edge. Every vertex carries the whole shape: drawing instances
 /// instead would send less, but costs llvmpipe 2 microseconds for each; and each draw call costs it
 /// a copy of all state, 40 kB.
 class ShapePipeline {
@@ -25,21 +24,17 @@ class ShapePipeline {
   ShapePipeline(ShapePipeline&&) = delete;
   ShapePipeline& operator=(ShapePipeline&&) = delete;
 
-  /// Those shapes of a run of this kind that touch `region`, into the picture that is being drawn.
-  void draw(const DrawList& list, const ShapeRun& run, const Region& region);
+  /// The shapes of a run of this kind, into the picture that is being drawn.
+  void draw(const DrawList& list, const ShapeRun& run);
 
  private:
   void describe_vertices();
   void make_indices(std::size_t quads);
-  void add_quad(const std::byte* shape);
-  void add_quad(const std::byte* shape, float part);
-  void add_quads(const DrawList& list, std::size_t i);
   void draw_quads(std::size_t count);
 
   const GlFunctions& gl_;
   ShapeKind kind_;
   std::size_t shape_size_;  ///< bytes
-  std::size_t stride_;      ///< of a vertex, likewise
   GLuint program_ = 0;
   GLuint vertex_array_ = 0;
   GLuint vertex_buffer_ = 0;

@@ -4,41 +4,37 @@
 #include <cmath>
 #include <cstdint>
 
+#include "render/raster/blending.h"
+
 namespace wuerfel::internal {
 namespace {
 
-/// a * b / 255, rounded; exact for all bytes.
-unsigned scaled(unsigned a, unsigned b) {
-  const unsigned product = a * b + 128U;
-  return (product + (product >> 8U)) >> 8U;
-}
-
-void blend_glyph(const Glyph& glyph, int x, int y, Color color, Image& image) {
-  const int first = std::max(0, -(x + glyph.left));
-  const int last = std::min(glyph.width, image.width() - (x + glyph.left));
-  for (int row = 0; row < glyph.height; ++row) {
-    const int target_y = y - glyph.top + row;
-    if (target_y < 0 || target_y >= image.height()) continue;
+void blend_glyph(
+    const Glyph& glyph, int x, int y, Color color, const RowRange& rows, Image& image) {
+  const Channels letter = premultiplied(color);
+  const int left = x + glyph.left;
+  const int top = y - glyph.top;
+  const int first = std::max(0, rows.left - left);
+  const int last = std::min(glyph.width, std::min(rows.right, image.width()) - left);
+  for (int row = std::max(0, rows.begin - top); row < std::min(glyph.height, rows.end - top);
+       ++row) {
     const std::uint8_t* coverage =
         glyph.coverage.data() + static_cast<std::ptrdiff_t>(row) * glyph.width;
+    std::uint8_t* pixels = image.row(top + row) + 4 * static_cast<std::ptrdiff_t>(left);
     for (int column = first; column < last; ++column) {
-      const unsigned alpha = scaled(coverage[column], color.a);
-      if (alpha == 0) continue;
-      std::uint8_t* pixel =
-          image.row(target_y) + 4 * static_cast<std::ptrdiff_t>(x + glyph.left + column);
-      const auto blended = [alpha](unsigned source, unsigned below) {
-        return static_cast<std::uint8_t>(scaled(source, alpha) + scaled(below, 255U - alpha));
-      };
-      pixel[0] = blended(color.r, pixel[0]);
-      pixel[1] = blended(color.g, pixel[1]);
-      pixel[2] = blended(color.b, pixel[2]);
-      pixel[3] = blended(255U, pixel[3]);
+      if (coverage[column] > 0)
+        lay_over(letter * coverage[column], pixels + 4 * static_cast<std::ptrdiff_t>(column));
     }
   }
 }
 
 /// One pass over the letters: the halo's, or the letters' own.
-void blend_line(const TextShape& text, double halo, Color color, Font& font, Image& image) {
+void blend_line(const TextShape& text,
+                double halo,
+                Color color,
+                const RowRange& rows,
+                Font& font,
+                Image& image) {
   double pen = static_cast<double>(text.baseline.x);
   const auto size = static_cast<double>(text.size);
   const int y = static_cast<int>(std::lround(text.baseline.y));
@@ -48,18 +44,19 @@ void blend_line(const TextShape& text, double halo, Color color, Font& font, Ima
     const char32_t next = at < text.text.size() ? next_code_point(text.text, peek) : 0;
     const auto quarters = static_cast<int>(std::lround(pen * 4.0));
     const int phase = ((quarters % 4) + 4) % 4;
-    blend_glyph(font.glyph(letter, size, phase, halo), (quarters - phase) / 4, y, color, image);
+    blend_glyph(font.glyph(letter, size, phase, halo), (quarters - phase) / 4, y, color, rows,
+                image);
     pen += font.advance(letter, next, size);
   }
 }
 
 }  // namespace
 
-void blend_text(const TextShape& text, Font& font, Image& image) {
+void blend_text(const TextShape& text, const RowRange& rows, Font& font, Image& image) {
   if (text.halo_width > 0.0F && text.halo.a > 0) {
-    blend_line(text, static_cast<double>(text.halo_width), text.halo, font, image);
+    blend_line(text, static_cast<double>(text.halo_width), text.halo, rows, font, image);
   }
-  blend_line(text, 0.0, text.color, font, image);
+  blend_line(text, 0.0, text.color, rows, font, image);
 }
 
 }  // namespace wuerfel::internal

@@ -1,4 +1,4 @@
-/// Text is blended by the processor after the shapes: it costs less than a draw call.
+/// Text, blended over the shapes.
 #pragma once
 
 #include "render/picture/draw_list.h"
@@ -7,7 +7,7 @@
 
 namespace wuerfel::internal {
 
-/// Writes `text` into `image` (premultiplied where it is not opaque); what lies outside is cut off.
-void blend_text(const TextShape& text, Font& font, Image& image);
+/// Writes `text` into `image` (premultiplied where it is not opaque); what lies outside of `rows` is cut off.
+void blend_text(const TextShape& text, const RowRange& rows, Font& font, Image& image);
 
 }  // namespace wuerfel::internal

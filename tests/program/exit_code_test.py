@@ -249,9 +249,10 @@ class Causes(ProgramTest):
             pass
         missing = {**os.environ, "LD_LIBRARY_PATH": self.path("lib")}
         scene = self.scene(STANDING)
-        self.expect(0, "figure", scene, "-o", "f.png", "--size", "64x64")
-        for arguments in (("figure", scene, "-o", "g.png"), ("run", scene, "-o", "f/"), ("run", scene, "-o", "f.apng"),
-                          ("reproduce", "f.png")):
+        osmesa = ("--rasteriser", "osmesa")
+        self.expect(0, "figure", scene, "-o", "f.png", "--size", "64x64", *osmesa)
+        for arguments in (("figure", scene, "-o", "g.png", *osmesa), ("run", scene, "-o", "f/", *osmesa),
+                          ("run", scene, "-o", "f.apng", *osmesa), ("reproduce", "f.png")):
             with self.subTest(arguments):
                 done = self.expect(5, *arguments, env=missing)
                 self.assertIn("pictures need OSMesa", done.stderr)

@@ -22,7 +22,7 @@ __all__ = ["Check", "OutputError", "RenderError", "Scene", "SceneError", "Simula
 
 SceneError.__doc__ = "Bad input: the message says where, what is wrong and what would be right."
 RenderError.__doc__ = "A picture that cannot be drawn as asked."
-OutputError.__doc__ = "Something that is needed is missing or cannot be written: OSMesa, a disk."
+OutputError.__doc__ = "Something that is needed is missing or cannot be written: ffmpeg, a disk."
 
 
 class Trajectory(NamedTuple):

@@ -81,7 +81,7 @@ TEST_F(Pipeline, MakesTheSamePicturesAsDrawingThemOneByOne) {
     pipeline.add(job(moved(i), {{"Time", std::to_string(i)}}));
   pipeline.finish();
   ASSERT_EQ(files.size(), static_cast<std::size_t>(frames));
-  Renderer renderer(RasterThreads::caller);
+  Renderer renderer;
   for (int i = 0; i < frames; ++i) {
     Image image;
     draw_frame(renderer, moved(i), view, settings.style, settings.options, image);

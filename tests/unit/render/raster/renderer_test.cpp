@@ -52,8 +52,9 @@ double ink(const Image& image) {
   return sum;
 }
 
-TEST(Renderer, DrawsByLlvmpipe) {
-  EXPECT_TRUE(shared_renderer().description().starts_with("llvmpipe"));
+TEST(Renderer, SaysWhoDraws) {
+  EXPECT_EQ(shared_renderer().description(), "scan-lines");
+  EXPECT_TRUE(Renderer(Rasteriser::osmesa).description().starts_with("llvmpipe"));
 }
 
 TEST(Renderer, FirstRowIsTheTopAndFirstColumnTheLeft) {

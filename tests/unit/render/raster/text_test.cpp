@@ -32,7 +32,7 @@ Image written(const std::string& text, float x, float y) {
   shape.text = text;
   shape.baseline = {x, y};
   shape.size = 20.0F;
-  blend_text(shape, font, image);
+  blend_text(shape, {0, image.height()}, font, image);
   return image;
 }
 
@@ -89,7 +89,7 @@ TEST(Text, HaloSurroundsTheLetters) {
   shape.color = rgb(0x000000);
   shape.halo = rgb(0xFFFFFF);
   shape.halo_width = 3.0F;
-  blend_text(shape, font, image);
+  blend_text(shape, {0, image.height()}, font, image);
   const int white = 60 * 40 - ink(image);
   EXPECT_GT(white, 60);
   EXPECT_LT(white, 300);
