@@ -72,9 +72,8 @@ ContactForces canonical_forces(const System& system,
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
   const std::vector<double> x = unknowns(accelerations);
-  LeastNormMultipliers least;
-  CanonicalMultipliers().find(builder.program(), x, multiplier, uniqueness == Uniqueness::asked,
-                              least);
+  const LeastNormMultipliers least =
+      canonical_multipliers(builder.program(), x, multiplier, uniqueness == Uniqueness::asked);
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
   std::size_t row = island.rods.size();
   take_rods(least.multiplier, least.unique, row, result);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/block/least_distance.h"
 #include "core/qp/block/quad_vector.h"
+#include "core/qp/methods/least_norm_method.h"
+#include "core/qp/residual_meter.h"
 
 namespace wuerfel {
 namespace {
@@ -23,44 +26,28 @@ constexpr double no_part = 1e-7;   ///< of a vector of numbers in [1, 2]
 constexpr double no_force = 1e-9;  ///< of the largest on a body
 constexpr double no_way = 1e-11;   ///< of a vector of numbers in [0, 1]
 
-}  // namespace
+/// The rows that may carry force alone, with masses of one kilogram: the multipliers must balance
+/// J' lambda, whatever the masses are, and without their ratios the rows are much more alike.
+struct TightProgram {
+  std::vector<int> row;  ///< of the whole program
+  QuadraticProgram program;
+  LeastDistance problem{best_block_kernels()};  ///< of `program`
+  std::vector<Quad> force;                      ///< that these rows have to balance
+  std::vector<double> weight;                   ///< of the bodies, in the order of `force`
+};
 
-CanonicalMultipliers::CanonicalMultipliers(const BlockKernels& kernels) : tight_(kernels) {}
-
-void CanonicalMultipliers::find(const QuadraticProgram& program,
-                                const std::vector<double>& x,
-                                const std::vector<double>& multiplier,
-                                bool with_unique,
-                                LeastNormMultipliers& result) {
-  result.multiplier = multiplier;
-  result.unique.assign(multiplier.size(), false);
-  meter_.measure_scales(program);
-  keep_tight_rows(program, x, result.multiplier);
-  balance_rows(program, x, result.multiplier);
-  least_norm_.run(tight_, target_, scale_);
-  for (std::size_t k = 0; k < row_.size(); ++k)
-    result.multiplier[row_[k]] = least_norm_.multiplier()[k];
-  result.misfit = meter_.imbalance(program, x, result.multiplier);
-  if (with_unique) find_flags(result);
-  if (result.misfit <= good_balance) return;
-  const double given = meter_.imbalance(program, x, multiplier);
-  if (given >= result.misfit) return;
-  result.multiplier = multiplier;
-  result.misfit = given;
-}
-
-/// The rows that may carry force, in `row_`; `multiplier` of the others becomes what their slack makes
-/// it.
-void CanonicalMultipliers::keep_tight_rows(const QuadraticProgram& program,
-                                           const std::vector<double>& x,
-                                           std::vector<double>& multiplier) {
-  const ResidualScales& scales = meter_.scales();
-  const double residual = meter_.measure(program, x, multiplier).worst();
+/// The rows that may carry force; `multiplier` of the others becomes what their slack makes it.
+std::vector<int> find_tight_rows(const QuadraticProgram& program,
+                                 const std::vector<double>& x,
+                                 ResidualMeter& meter,
+                                 std::vector<double>& multiplier) {
+  const ResidualScales& scales = meter.measure_scales(program);
+  const double residual = meter.measure(program, x, multiplier).worst();
   const double tight_slack = std::clamp(slack_times * residual, least_slack, most_slack);
   double force = scales.weight;
   for (int row = 0; row < program.rows(); ++row)
     force = std::max(force, std::abs(multiplier[row]) * scales.row_norm[row]);
-  row_.clear();
+  std::vector<int> tight;
   for (int row = 0; row < program.rows(); ++row) {
     const double slack = program.slack(row, x);
     const double norm = scales.row_norm[row];
@@ -68,140 +55,179 @@ void CanonicalMultipliers::keep_tight_rows(const QuadraticProgram& program,
     const double distance = std::abs(multiplier[row] - bound) * norm;
     const double gap = std::abs(slack) / norm;
     if (gap <= tight_slack * scales.acceleration || gap * force < distance * scales.acceleration) {
-      row_.push_back(row);
+      tight.push_back(row);
     } else {
       multiplier[row] = bound;
     }
   }
+  return tight;
 }
 
-/// The tight rows as a program with the masses 1, what they have to balance and in which scale.
-void CanonicalMultipliers::balance_rows(const QuadraticProgram& program,
-                                        const std::vector<double>& x,
-                                        const std::vector<double>& multiplier) {
+/// The rows `tight.row`, and what `multiplier` of the others leaves to them.
+void balance_rows(const QuadraticProgram& program,
+                  const std::vector<double>& x,
+                  const std::vector<double>& multiplier,
+                  TightProgram& tight) {
   const int size = program.block_size;
-  program_.clear(size);
-  program_.mass = program.mass;
-  program_.target.assign(program.mass.size(), 0.0);
-  force_ = program.mass;
+  QuadraticProgram& alone = tight.program;
+  alone.clear(size);
+  alone.mass = program.mass;
+  alone.target.assign(program.mass.size(), 0.0);
+  std::vector<double> force = program.mass;
   for (int j = 0; j < program.unknowns(); ++j) {
-    program_.mass[j] /= program.mass[j - j % size];
-    force_[j] *= x[j] - program.target[j];
+    alone.mass[j] /= program.mass[j - j % size];
+    force[j] *= x[j] - program.target[j];
   }
   std::size_t next = 0;
   for (int row = 0; row < program.rows(); ++row) {
-    if (next < row_.size() && row_[next] == row) {
+    if (next < tight.row.size() && tight.row[next] == row) {
       ++next;
-      program_.add_row(0.0, program.force_min[row], program.force_max[row]);
+      alone.add_row(0.0, program.force_min[row], program.force_max[row]);
       for (int e = program.row_start[row]; e < program.row_start[row + 1]; ++e)
-        program_.add_entry(program.entry_block[e], program.entry(e));
+        alone.add_entry(program.entry_block[e], program.entry(e));
     } else if (multiplier[row] != 0.0) {
-      program.add_row_force(row, -multiplier[row], force_);
+      program.add_row_force(row, -multiplier[row], force);
     }
   }
-  tight_.prepare(program_);
-  tight_.pack(force_, target_);
+  tight.problem.prepare(alone);
+  tight.problem.pack(force, tight.force);
   for (int j = 0; j < program.unknowns(); ++j)
-    force_[j] = program.mass[j] * program.target[j];
-  tight_.pack(force_, d_);
-  scale_.clear();
-  for (const Quad& weight : d_)
-    scale_.push_back(largest(weight));
+    force[j] = program.mass[j] * program.target[j];
+  std::vector<Quad> weight;
+  tight.problem.pack(force, weight);
+  for (const Quad& w : weight)
+    tight.weight.push_back(largest(w));
 }
 
-void CanonicalMultipliers::find_flags(LeastNormMultipliers& result) {
-  weight_.resize(row_.size());
-  for (std::size_t i = 0; i < row_.size(); ++i)
-    weight_[i] = tight_.square()[i] > 0.0 ? projection_weight / tight_.square()[i] : 0.0;
-  std::vector<char> dependent;
-  if (mark_dependent(dependent) && find_support()) mark_dependent(dependent);
-  result.unique.assign(result.multiplier.size(), true);
-  for (std::size_t k = 0; k < row_.size(); ++k)
-    if (dependent[k] != 0) result.unique[row_[k]] = false;
-}
-
-/// Takes the weight of rows that carry no force in any solution. False if there are none.
-///
-/// Solutions differ by vectors v with G' v = 0 that lead away from the bounds of the rows that are at
-/// them in one solution. Of these v the one that is nearest to leading them all away shows some that
-/// can go, as long as there are any.
-bool CanonicalMultipliers::find_support() {
-  const std::vector<double> least = least_norm_.multiplier();
-  std::vector<double> away(least.size(), 0.0);
-  for (std::size_t i = 0; i < least.size(); ++i) {
-    const double idle = no_force * least_norm_.row_scale()[i];
-    if (least[i] <= tight_.force_min()[i] + idle) away[i] = 1.0;
-    if (least[i] >= tight_.force_max()[i] - idle) away[i] = -1.0;
-    program_.force_min[i] = away[i] > 0.0 ? 0.0 : -unbounded;
-    program_.force_max[i] = away[i] < 0.0 ? 0.0 : unbounded;
-  }
-  target_.assign(target_.size(), Quad{});
-  scale_.assign(scale_.size(), 1.0);
-  const auto is_held = [&](std::size_t i) { return away[i] != 0.0; };
-  bool found = true;
-  while (found) {
-    tight_.prepare(program_);
-    least_norm_.run(tight_, target_, scale_, away);
-    found = false;
-    for (std::size_t i = 0; i < away.size(); ++i) {
-      if (!is_held(i) || std::abs(least_norm_.multiplier()[i]) <= no_way) continue;
-      away[i] = 0.0;
-      program_.force_min[i] = -unbounded;
-      program_.force_max[i] = unbounded;
-      found = true;
-    }
-  }
-  bool any = false;
-  for (std::size_t i = 0; i < away.size(); ++i) {
-    if (is_held(i)) weight_[i] = 0.0;
-    any = any || is_held(i);
-  }
-  return any;
-}
+/// An arbitrary vector on its way onto those v with G' v = 0, and room for one step of it.
+struct Probe {
+  std::vector<double> v, part;
+  std::vector<Quad> d;
+};
 
 /// v := v - W^(1/2) G (I + G' W G)^-1 G' W^(1/2) v, which leaves of v what no combination of
 /// columns of G can take away. Returns the largest change.
-double CanonicalMultipliers::project() {
-  for (std::size_t i = 0; i < v_.size(); ++i)
-    part_[i] = v_[i] * std::sqrt(weight_[i]);
-  tight_.apply_transposed(part_.data(), d_.data());
-  tight_.solve(d_.data());
-  tight_.apply(d_.data(), part_.data());
+double project(const std::vector<double>& weight, LeastDistance& problem, Probe& probe) {
+  auto& [v, part, d] = probe;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    part[i] = v[i] * std::sqrt(weight[i]);
+  problem.apply_transposed(part.data(), d.data());
+  problem.solve(d.data());
+  problem.apply(d.data(), part.data());
   double change = 0.0;
-  for (std::size_t i = 0; i < v_.size(); ++i) {
-    const double taken = std::sqrt(weight_[i]) * part_[i];
-    v_[i] -= taken;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double taken = std::sqrt(weight[i]) * part[i];
+    v[i] -= taken;
     change = std::max(change, std::abs(taken));
   }
   return change;
 }
 
-/// Marks rows with a weight that have a part in some v with G' v = 0. True if there are any.
-bool CanonicalMultipliers::mark_dependent(std::vector<char>& dependent) {
-  const int rows = tight_.rows();
-  dependent.assign(rows, 0);
-  part_.resize(rows);
-  v_.resize(rows);
-  tight_.factorise(weight_.data());
+/// The rows with a weight that have a part in some v with G' v = 0 are marked.
+std::vector<char> dependent_rows(const std::vector<double>& weight, LeastDistance& problem) {
+  const int rows = problem.rows();
+  std::vector<char> dependent(rows, 0);
+  Probe probe{std::vector<double>(rows), std::vector<double>(rows),
+              std::vector<Quad>(problem.blocks())};
+  problem.factorise(weight.data());
   // Not random at all, but no row can know: multiples of the golden section, modulo 1.
   double seed = 0.5;
-  bool any = false;
-  for (int probe = 0; probe < 2; ++probe) {
+  for (int k = 0; k < 2; ++k) {
     for (int i = 0; i < rows; ++i) {
       seed += 0.6180339887498949;
       if (seed >= 1.0) seed -= 1.0;
-      v_[i] = weight_[i] > 0.0 ? 1.0 + seed * seed : 0.0;
+      probe.v[i] = weight[i] > 0.0 ? 1.0 + seed * seed : 0.0;
     }
-    for (int round = 0; round < projection_rounds && project() > 1e-3 * no_part; ++round) {
+    for (int round = 0; round < projection_rounds; ++round) {
+      if (project(weight, problem, probe) <= 1e-3 * no_part) break;
     }
-    for (int i = 0; i < rows; ++i) {
-      if (std::abs(v_[i]) > no_part) {
-        dependent[i] = 1;
-        any = true;
-      }
+    for (int i = 0; i < rows; ++i)
+      if (std::abs(probe.v[i]) > no_part) dependent[i] = 1;
+  }
+  return dependent;
+}
+
+/// The rows that carry no force in any solution are marked.
+///
+/// Solutions differ by vectors v with G' v = 0 that lead away from the bounds of the rows that are at
+/// them in one solution. Of these v the one that is nearest to leading them all away shows some that
+/// can go, as long as there are any.
+std::vector<char> idle_rows(TightProgram& tight, LeastNormMethod& least_norm) {
+  const std::vector<double> least = least_norm.multiplier();
+  QuadraticProgram& program = tight.program;
+  std::vector<double> away(least.size(), 0.0);
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    const double idle = no_force * least_norm.row_scale()[i];
+    if (least[i] <= tight.problem.force_min()[i] + idle) away[i] = 1.0;
+    if (least[i] >= tight.problem.force_max()[i] - idle) away[i] = -1.0;
+    program.force_min[i] = away[i] > 0.0 ? 0.0 : -unbounded;
+    program.force_max[i] = away[i] < 0.0 ? 0.0 : unbounded;
+  }
+  const std::vector<Quad> nothing(tight.force.size());
+  const std::vector<double> ones(tight.weight.size(), 1.0);
+  bool found = true;
+  while (found) {
+    tight.problem.prepare(program);
+    least_norm.run(tight.problem, nothing, ones, away);
+    found = false;
+    for (std::size_t i = 0; i < away.size(); ++i) {
+      if (away[i] == 0.0 || std::abs(least_norm.multiplier()[i]) <= no_way) continue;
+      away[i] = 0.0;
+      program.force_min[i] = -unbounded;
+      program.force_max[i] = unbounded;
+      found = true;
     }
   }
-  return any;
+  std::vector<char> idle(away.size());
+  std::ranges::transform(away, idle.begin(), [](double way) { return way != 0.0 ? 1 : 0; });
+  return idle;
+}
+
+bool any(const std::vector<char>& marks) { return std::ranges::find(marks, 1) != marks.end(); }
+
+/// The tight rows whose multipliers in `least_norm` are not the only ones possible are marked. Leaves
+/// ranges of multipliers as the search had them.
+std::vector<char> ambiguous_rows(TightProgram& tight, LeastNormMethod& least_norm) {
+  std::vector<double> weight;
+  for (const double square : tight.problem.square())
+    weight.push_back(square > 0.0 ? projection_weight / square : 0.0);
+  std::vector<char> dependent = dependent_rows(weight, tight.problem);
+  if (!any(dependent)) return dependent;
+  const std::vector<char> idle = idle_rows(tight, least_norm);
+  if (!any(idle)) return dependent;
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    if (idle[i] != 0) weight[i] = 0.0;
+  return dependent_rows(weight, tight.problem);
+}
+
+}  // namespace
+
+LeastNormMultipliers canonical_multipliers(const QuadraticProgram& program,
+                                           const std::vector<double>& x,
+                                           const std::vector<double>& multiplier,
+                                           bool with_unique) {
+  LeastNormMultipliers result{multiplier, std::vector<bool>(multiplier.size(), false)};
+  ResidualMeter meter;
+  TightProgram tight;
+  tight.row = find_tight_rows(program, x, meter, result.multiplier);
+  balance_rows(program, x, result.multiplier, tight);
+  LeastNormMethod least_norm;
+  least_norm.run(tight.problem, tight.force, tight.weight);
+  for (std::size_t k = 0; k < tight.row.size(); ++k)
+    result.multiplier[tight.row[k]] = least_norm.multiplier()[k];
+  result.misfit = meter.imbalance(program, x, result.multiplier);
+  if (with_unique) {
+    result.unique.assign(multiplier.size(), true);
+    const std::vector<char> ambiguous = ambiguous_rows(tight, least_norm);
+    for (std::size_t k = 0; k < tight.row.size(); ++k)
+      if (ambiguous[k] != 0) result.unique[tight.row[k]] = false;
+  }
+  if (result.misfit <= good_balance) return result;
+  const double given = meter.imbalance(program, x, multiplier);
+  if (given >= result.misfit) return result;
+  result.multiplier = multiplier;
+  result.misfit = given;
+  return result;
 }
 
 }  // namespace wuerfel

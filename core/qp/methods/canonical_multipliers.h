@@ -8,10 +8,7 @@
 
 #include <vector>
 
-#include "core/qp/block/block_kernels.h"
-#include "core/qp/block/least_distance.h"
-#include "core/qp/methods/least_norm_method.h"
-#include "core/qp/residual_meter.h"
+#include "core/qp/quadratic_program.h"
 
 namespace wuerfel {
 
@@ -21,43 +18,13 @@ struct LeastNormMultipliers {
   double misfit = 0.0;             ///< ResidualMeter::imbalance of these very multipliers
 };
 
-class CanonicalMultipliers {
- public:
-  explicit CanonicalMultipliers(const BlockKernels& kernels = best_block_kernels());
-
-  /// From a solution, x and multipliers. Rows of the program count with their own length: write them
-  /// with unit normals. Where the least norm cannot be found as exactly as the multipliers given
-  /// balance x, these are returned. `with_unique` false leaves the flags false and saves half of the
-  /// time.
-  void find(const QuadraticProgram& program,
-            const std::vector<double>& x,
-            const std::vector<double>& multiplier,
-            bool with_unique,
-            LeastNormMultipliers& result);
-
- private:
-  void keep_tight_rows(const QuadraticProgram& program,
-                       const std::vector<double>& x,
-                       std::vector<double>& multiplier);
-  void balance_rows(const QuadraticProgram& program,
-                    const std::vector<double>& x,
-                    const std::vector<double>& multiplier);
-  void find_flags(LeastNormMultipliers& result);
-  bool find_support();
-  double project();
-  bool mark_dependent(std::vector<char>& dependent);
-
-  LeastDistance tight_;
-  LeastNormMethod least_norm_;
-  ResidualMeter meter_;
-  /// The tight rows alone, with masses of one kilogram: the multipliers must balance J' lambda,
-  /// whatever the masses are, and without their ratios the rows are much more alike. Its solution is
-  /// the point where these rows are tight and the forces in balance.
-  QuadraticProgram program_;
-  std::vector<int> row_;       ///< of the whole program, per tight row
-  std::vector<double> force_;  ///< that the tight rows have to balance
-  std::vector<Quad> target_, d_;
-  std::vector<double> weight_, scale_, v_, part_;
-};
+/// From a solution, x and multipliers. Rows of the program count with their own length: write them
+/// with unit normals. Where the least norm cannot be found as exactly as the multipliers given
+/// balance x, these are returned. `with_unique` false leaves the flags false and saves half of the
+/// time.
+LeastNormMultipliers canonical_multipliers(const QuadraticProgram& program,
+                                           const std::vector<double>& x,
+                                           const std::vector<double>& multiplier,
+                                           bool with_unique);
 
 }  // namespace wuerfel

@@ -137,8 +137,6 @@ TEST(NonNegativeLeastSquares, ObeysItsOptimalityConditions) {
 class Canonical : public testing::TestWithParam<int> {};
 
 TEST_P(Canonical, AgreesWithTheDenseOracle) {
-  CanonicalMultipliers canonical;
-  LeastNormMultipliers fast;
   int compared = 0;
   for (int index = 50 * GetParam(); index < 50 * (GetParam() + 1); ++index) {
     const ZooProgram zoo = random_program(index);
@@ -147,7 +145,8 @@ TEST_P(Canonical, AgreesWithTheDenseOracle) {
                           && zoo.name.find("masses") != std::string::npos;
     if (zoo.program.rows() > 300 || doubtful) continue;
     const QpResult result = solved(zoo.program);
-    canonical.find(zoo.program, result.x, result.multiplier, true, fast);
+    const LeastNormMultipliers fast =
+        canonical_multipliers(zoo.program, result.x, result.multiplier, true);
     const LeastNormMultipliers exact = least_norm_multipliers(zoo.program, result.x);
     // Observed: <= 1e-11, and 4e-9 where contacts are nearly dependent.
     EXPECT_LE(distance(fast.multiplier, exact.multiplier), 2e-8 * largest(exact.multiplier))
@@ -168,13 +167,12 @@ TEST_P(Canonical, AgreesWithTheDenseOracle) {
 INSTANTIATE_TEST_SUITE_P(Fifties, Canonical, testing::Range(0, 4));
 
 TEST(Canonical, ReachesTheExactMultipliersOfTheReferenceCases) {
-  CanonicalMultipliers canonical;
   for (const std::string& name : reference_program_names()) {
     const ReferenceProgram reference = read_reference_program(name);
     QpResult result;
     make_qp_solver(QpMethod::interior_point)->solve(reference.program, result);
-    LeastNormMultipliers found;
-    canonical.find(reference.program, result.x, result.multiplier, true, found);
+    const LeastNormMultipliers found =
+        canonical_multipliers(reference.program, result.x, result.multiplier, true);
     // Observed: <= 2e-12 of the forces; forces between light bodies beside heavy ones are exact to
     // 1e-12 of the weights.
     double weight = 0.0;
@@ -196,7 +194,7 @@ TEST(Canonical, IsTheSameFromBothMethodsInALargeWall) {
     QpResult result;
     make_qp_solver(k == 0 ? QpMethod::newton : QpMethod::interior_point)->solve(program, result);
     ASSERT_EQ(result.status, QpStatus::optimal);
-    CanonicalMultipliers().find(program, result.x, result.multiplier, true, found[k]);
+    found[k] = canonical_multipliers(program, result.x, result.multiplier, true);
   }
   EXPECT_LE(distance(found[0].multiplier, found[1].multiplier),
             1e-9 * largest(found[0].multiplier));

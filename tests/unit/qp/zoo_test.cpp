@@ -197,19 +197,17 @@ TEST(Memory, NeedsOneFactorisationForTheSameProgram) {
 TEST(Memory, KeepsCanonicalForcesIndependentOfThePast) {
   const QuadraticProgram program = wall(6, 6);
   const auto solver = make_qp_solver(QpMethod::automatic);
-  CanonicalMultipliers canonical;
   QpResult result;
-  LeastNormMultipliers first;
-  LeastNormMultipliers again;
   solver->solve(program, result);
-  canonical.find(program, result.x, result.multiplier, false, first);
+  const LeastNormMultipliers first =
+      canonical_multipliers(program, result.x, result.multiplier, false);
   for (std::uint64_t step = 0; step < 5; ++step) {
     const QuadraticProgram moved = wall(6, 6, {.shift = 1e-4, .turn = 1e-4, .step = step});
     solver->solve(moved, result);
-    canonical.find(moved, result.x, result.multiplier, false, again);
   }
   solver->solve(program, result);
-  canonical.find(program, result.x, result.multiplier, false, again);
+  const LeastNormMultipliers again =
+      canonical_multipliers(program, result.x, result.multiplier, false);
   double most = 0.0;
   for (std::size_t i = 0; i < first.multiplier.size(); ++i)
     most = std::max(most, std::abs(first.multiplier[i] - again.multiplier[i]));
