@@ -37,7 +37,7 @@ double choose(const FrictionProgram& friction,
               const std::vector<double>& given,
               Uniqueness uniqueness,
               CanonicalForces& least) {
-  CanonicalFriction().find(friction, x, given, uniqueness == Uniqueness::asked, least);
+  least = canonical_friction(friction, x, given, uniqueness == Uniqueness::asked);
   const double residual = coulomb_residual(friction, x, least.multiplier).worst();
   if (residual <= CoulombSettings{}.tolerance) return residual;
   least.unique.assign(least.unique.size(), false);

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/qp/coulomb/contact_modes.h"
+#include "core/qp/block/quad_vector.h"
+#include "core/qp/coulomb/contact_form.h"
 #include "core/qp/coulomb/dice.h"
 
 namespace wuerfel {
 namespace {
 
-constexpr double still = 1e-9;  ///< velocities below this share of the largest are zero
+constexpr double still = 1e-9;     ///< velocities below this share of the largest are zero
+constexpr double first_rho = 1e6;  ///< in units of 1 / |g|^2
 constexpr int most_newton_steps = 60;
 constexpr int most_rounds = 100;
 constexpr double exact_balance = 1e-14;
@@ -17,253 +19,281 @@ constexpr double good_balance = 1e-8;
 constexpr double same_force = 1e-7;  ///< of the largest
 constexpr int wishes = 3;            ///< and their opposites, of the search for other forces
 
-double largest(const std::vector<Quad>& v) {
-  double most = 0.0;
-  for (const Quad& q : v)
-    most = std::max({most, std::abs(q.v[0]), std::abs(q.v[1]), std::abs(q.v[2])});
-  return most;
-}
+enum class Cone : signed char { nothing, free, half_line, edge, cone };
+/// Where on its cone a projection falls.
+enum class Face : signed char { out, in, edge_forward, edge_back };
 
-double dot(const std::vector<Quad>& a, const std::vector<Quad>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i].v[0] * b[i].v[0] + a[i].v[1] * b[i].v[1] + a[i].v[2] * b[i].v[2];
-  return sum;
-}
+/// The forces that are sought: in cones, and with G' l = s.
+struct ForceProblem {
+  ContactForm form;
+  std::vector<Cone> cone;
+  std::vector<double> slip;  ///< sign of u_t of units that slip
+  std::vector<Quad> s;
+  double rho = 0.0;
+};
 
-void add(double f, const std::vector<Quad>& d, std::vector<Quad>& y) {
-  for (std::size_t b = 0; b < y.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      y[b].v[c] += f * d[b].v[c];
+/// Of a round: the forces nearest to `wish`, whatever it is, that balance `shift`, s_k.
+struct Goal {
+  const std::vector<Pair>& wish;
+  std::vector<Quad> shift;
+};
+
+struct Iterate {
+  std::vector<Quad> z;
+  std::vector<Pair> Gz;
+  std::vector<Pair> l;  ///< P_K(wish + G z)
+  std::vector<Face> face;
+};
+
+struct Direction {
+  std::vector<Quad> d;
+  std::vector<Pair> Gd;
+};
+
+/// The cones of units from un and ut at x.
+void classify(const FrictionProgram& friction, const std::vector<double>& x, ForceProblem& p) {
+  p.cone.assign(p.form.count(), Cone::free);
+  p.slip.assign(p.form.count(), 0.0);
+  for (int i = 0; i < p.form.count(); ++i) {
+    const ContactUnit& unit = p.form.units()[i];
+    if (unit.equality) continue;
+    p.cone[i] = Cone::nothing;
+    if (friction.program.slack(unit.normal, x) * unit.per_velocity.n > still) continue;
+    p.cone[i] = Cone::half_line;
+    if (unit.tangent < 0) continue;
+    const double ut = friction.program.slack(unit.tangent, x);
+    const bool slips = std::abs(ut) * unit.per_velocity.t > still;
+    p.slip[i] = unit.slides != 0 ? unit.slides : slips ? std::copysign(1.0, ut) : 0.0;
+    p.cone[i] = p.slip[i] != 0.0 ? Cone::edge : Cone::cone;
   }
 }
 
-}  // namespace
-
-/// What the motion allows each contact: seen from un and ut at x.
-void CanonicalFriction::classify(const FrictionProgram& friction, const std::vector<double>& x) {
+ForceProblem problem_of(const FrictionProgram& friction,
+                        const std::vector<double>& x,
+                        const std::vector<double>& multiplier) {
+  ForceProblem p;
   CoulombJudge judge;
   const CoulombScales& scales = judge.measure_scales(friction.program);
   // The forces must balance, whatever the masses are: without their ratios rows are more alike.
-  program_ = friction.program;
-  for (int j = program_.unknowns() - 1; j >= 0; --j)
-    program_.mass[j] /= program_.mass[j - j % program_.block_size];
-  std::fill(program_.target.begin(), program_.target.end(), 0.0);
-  form_.prepare({program_, friction.contacts}, scales);
-  cone_.assign(form_.count(), Cone::free);
-  slip_.assign(form_.count(), 0.0);
-  const auto slack = [&](int row) {
-    const QuadraticProgram& p = friction.program;
-    double sum = -p.bound[row];
-    for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-      for (int c = 0; c < p.block_size; ++c)
-        sum += p.coefficients[e * p.block_size + c] * x[p.entry_block[e] * p.block_size + c];
-    }
-    return sum;
-  };
-  for (int i = 0; i < form_.count(); ++i) {
-    const ContactUnit& unit = form_.units()[i];
-    if (unit.equality) continue;
-    cone_[i] = Cone::nothing;
-    if (slack(unit.normal) * unit.per_velocity.n > still) continue;
-    cone_[i] = Cone::half_line;
-    if (unit.tangent < 0) continue;
-    const double ut = slack(unit.tangent);
-    const bool slips = std::abs(ut) * unit.per_velocity.t > still;
-    slip_[i] = unit.slides != 0 ? unit.slides : slips ? std::copysign(1.0, ut) : 0.0;
-    cone_[i] = slip_[i] != 0.0 ? Cone::edge : Cone::cone;
+  QuadraticProgram program = friction.program;
+  for (int j = program.unknowns() - 1; j >= 0; --j)
+    program.mass[j] /= program.mass[j - j % program.block_size];
+  std::fill(program.target.begin(), program.target.end(), 0.0);
+  p.form.prepare({program, friction.contacts}, scales);
+  classify(friction, x, p);
+  std::vector<Pair> l;
+  double square = 0.0;
+  for (const ContactUnit& unit : p.form.units()) {
+    l.push_back({multiplier[unit.normal], unit.tangent >= 0 ? multiplier[unit.tangent] : 0.0});
+    square = std::max(square, unit.square.n);
   }
+  p.rho = first_rho / square;
+  p.s.resize(p.form.blocks());
+  p.form.apply_transposed(l.data(), p.s.data());
+  return p;
 }
 
-CanonicalFriction::Side CanonicalFriction::project(int i, Pair& v) const {
-  const double mu = form_.units()[i].mu;
-  switch (cone_[i]) {
+/// The projection of v onto the cone of a unit, and on which face it falls.
+Face project(const ForceProblem& p, int i, Pair& v) {
+  const double mu = p.form.units()[i].mu;
+  switch (p.cone[i]) {
     case Cone::nothing:
       v = {};
-      return Side::out;
+      return Face::out;
     case Cone::free:
       v.t = 0.0;
-      return Side::in;
+      return Face::in;
     case Cone::half_line:
       v = {std::max(v.n, 0.0), 0.0};
-      return v.n > 0.0 ? Side::in : Side::out;
+      return v.n > 0.0 ? Face::in : Face::out;
     case Cone::edge:
     case Cone::cone:
       break;
   }
-  if (cone_[i] == Cone::cone && std::abs(v.t) <= mu * v.n) return Side::in;
-  const double s = cone_[i] == Cone::edge ? slip_[i] : std::copysign(1.0, -v.t);
+  if (p.cone[i] == Cone::cone && std::abs(v.t) <= mu * v.n) return Face::in;
+  const double s = p.cone[i] == Cone::edge ? p.slip[i] : std::copysign(1.0, -v.t);
   const double along = (v.n - s * mu * v.t) / (1.0 + mu * mu);
   if (along <= 0.0) {
     v = {};
-    return Side::out;
+    return Face::out;
   }
   v = {along, -s * mu * along};
-  return s > 0.0 ? Side::edge_forward : Side::edge_back;
+  return s > 0.0 ? Face::edge_forward : Face::edge_back;
 }
 
 /// The derivative of the projection, times rho.
-ContactForm::Weight CanonicalFriction::face_weight(int i, Side side) const {
-  const ContactUnit& unit = form_.units()[i];
-  if (side == Side::out) return {};
-  if (side == Side::in) {
-    return {.nn = rho_, .tt = cone_[i] == Cone::cone ? rho_ : 0.0};
-  }
-  const double e = side == Side::edge_forward ? -unit.mu : unit.mu;
-  const double share = rho_ / (1.0 + e * e);
+ContactForm::Weight face_weight(const ForceProblem& p, int i, Face face) {
+  if (face == Face::out) return {};
+  if (face == Face::in) return {.nn = p.rho, .tt = p.cone[i] == Cone::cone ? p.rho : 0.0};
+  const double mu = p.form.units()[i].mu;
+  const double e = face == Face::edge_forward ? -mu : mu;
+  const double share = p.rho / (1.0 + e * e);
   return {.nn = share, .nt = share * e, .tn = share * e, .tt = share * e * e};
 }
 
-/// l = P(wish + G z) and its sides; whether they are the same as before.
-bool CanonicalFriction::find_sides(const std::vector<Pair>& wish) {
+/// The forces at z and their faces; whether these are the same as before.
+bool find_forces(const ForceProblem& p, const Goal& goal, Iterate& at) {
   bool same = true;
-  for (int i = 0; i < form_.count(); ++i) {
-    l_[i] = {wish[i].n + Gz_[i].n, wish[i].t + Gz_[i].t};
-    const Side side = project(i, l_[i]);
-    same = same && side == side_[i];
-    side_[i] = side;
+  for (int i = 0; i < p.form.count(); ++i) {
+    at.l[i] = {goal.wish[i].n + at.Gz[i].n, goal.wish[i].t + at.Gz[i].t};
+    const Face face = project(p, i, at.l[i]);
+    same = same && face == at.face[i];
+    at.face[i] = face;
   }
   return same;
 }
 
-/// Derivative along d at z + step d.
-double CanonicalFriction::slope(const std::vector<Pair>& wish, double step) {
-  double sum = (dot(z_, d_) + step * dot(d_, d_)) / rho_ - dot(shift_, d_);
-  for (int i = 0; i < form_.count(); ++i) {
-    Pair v{wish[i].n + Gz_[i].n + step * Gd_[i].n, wish[i].t + Gz_[i].t + step * Gd_[i].t};
-    (void)project(i, v);
-    sum += v.n * Gd_[i].n + v.t * Gd_[i].t;
+/// d = -(1/rho + G' D G)^-1 (z / rho + G' l - shift) with the factor at hand.
+void find_direction(const ForceProblem& p, const Goal& goal, const Iterate& at, Direction& step) {
+  p.form.apply_transposed(at.l.data(), step.d.data());
+  for (std::size_t b = 0; b < step.d.size(); ++b) {
+    for (int c = 0; c < 3; ++c)
+      step.d[b].v[c] = (goal.shift[b].v[c] - step.d[b].v[c]) * p.rho - at.z[b].v[c];
+  }
+  p.form.solve(step.d.data());
+  p.form.apply(step.d.data(), step.Gd.data());
+}
+
+/// Derivative along the step, a part of it ahead.
+double slope(const ForceProblem& p,
+             const Goal& goal,
+             const Iterate& at,
+             const Direction& step,
+             double part) {
+  const auto& [d, Gd] = step;
+  double sum = (dot(at.z, d) + part * dot(d, d)) / p.rho - dot(goal.shift, d);
+  for (int i = 0; i < p.form.count(); ++i) {
+    Pair v{goal.wish[i].n + at.Gz[i].n + part * Gd[i].n,
+           goal.wish[i].t + at.Gz[i].t + part * Gd[i].t};
+    (void)project(p, i, v);
+    sum += v.n * Gd[i].n + v.t * Gd[i].t;
   }
   return sum;
 }
 
-/// d = -(1/rho + G' D G)^-1 (z / rho + G' l - shift) with the factor at hand.
-void CanonicalFriction::find_direction() {
-  form_.apply_transposed(l_.data(), balance_.data());
-  d_ = shift_;
-  add(-1.0, balance_, d_);
-  for (Quad& q : d_) {
-    for (int c = 0; c < 3; ++c)
-      q.v[c] *= rho_;
-  }
-  add(-1.0, z_, d_);
-  form_.solve(d_.data());
-  form_.apply(d_.data(), Gd_.data());
-}
-
-/// Where within the step along d the slope vanishes; it is positive at its end.
-double CanonicalFriction::root_of_slope(const std::vector<Pair>& wish) {
+/// The part of the step at which the slope vanishes; it is positive at its end.
+double root_of_slope(const ForceProblem& p,
+                     const Goal& goal,
+                     const Iterate& at,
+                     const Direction& step) {
   double low = 0.0;
   double high = 1.0;
   for (int half = 0; half < 40; ++half) {
     const double middle = 0.5 * (low + high);
-    (slope(wish, middle) > 0.0 ? high : low) = middle;
+    (slope(p, goal, at, step, middle) > 0.0 ? high : low) = middle;
   }
   return high;
 }
 
-void CanonicalFriction::move(double step) {
-  add(step, d_, z_);
-  for (int i = 0; i < form_.count(); ++i) {
-    Gz_[i].n += step * Gd_[i].n;
-    Gz_[i].t += step * Gd_[i].t;
+void move(double part, const Direction& step, Iterate& at) {
+  add(part, step.d, at.z);
+  for (std::size_t i = 0; i < at.Gz.size(); ++i) {
+    at.Gz[i].n += part * step.Gd[i].n;
+    at.Gz[i].t += part * step.Gd[i].t;
   }
 }
 
-/// Newton's steps on the sides, with an exact line search; ends where a whole step keeps them.
-bool CanonicalFriction::minimise(const std::vector<Pair>& wish) {
-  form_.apply(z_.data(), Gz_.data());
-  find_sides(wish);
+/// Newton's steps on the faces, with an exact line search; ends where a whole step keeps them.
+bool minimise(ForceProblem& p, const Goal& goal, Iterate& at, Direction& step) {
+  std::vector<ContactForm::Weight> weight(p.form.count());
+  p.form.apply(at.z.data(), at.Gz.data());
+  find_forces(p, goal, at);
   for (int k = 0; k < most_newton_steps; ++k) {
-    for (int i = 0; i < form_.count(); ++i)
-      weight_[i] = face_weight(i, side_[i]);
-    if (!form_.factorise(weight_)) return false;
+    for (int i = 0; i < p.form.count(); ++i)
+      weight[i] = face_weight(p, i, at.face[i]);
+    if (!p.form.factorise(weight)) return false;
     for (int refinement = 0; refinement < 2; ++refinement) {
-      find_direction();
-      const bool too_far = slope(wish, 1.0) > 0.0 && refinement == 0;
-      move(too_far ? root_of_slope(wish) : 1.0);
-      if (!find_sides(wish)) break;
+      find_direction(p, goal, at, step);
+      const bool too_far = slope(p, goal, at, step, 1.0) > 0.0 && refinement == 0;
+      move(too_far ? root_of_slope(p, goal, at, step) : 1.0, step, at);
+      if (!find_forces(p, goal, at)) break;
       if (refinement == 1) return true;
     }
   }
   return false;
 }
 
-double CanonicalFriction::nearest(const std::vector<Pair>& wish) {
-  shift_ = s_;
-  for (Quad& q : z_)
-    q = Quad{};
-  const double size = largest(s_);
+struct NearestForces {
+  std::vector<Pair> l;
+  double misfit = unbounded;  ///< of G' l = s
+};
+
+double largest(const std::vector<Quad>& v) {
+  double most = 0.0;
+  for (const Quad& q : v)
+    most = std::max(most, largest(q));
+  return most;
+}
+
+NearestForces nearest(ForceProblem& p, const std::vector<Pair>& wish) {
+  Goal goal{wish, p.s};
+  Iterate at{std::vector<Quad>(p.s.size()), std::vector<Pair>(wish.size()),
+             std::vector<Pair>(wish.size()), std::vector<Face>(wish.size())};
+  Direction step{at.z, at.Gz};
+  std::vector<Quad> missed(p.s.size());
   double misfit = unbounded;
+  const double size = largest(p.s);
   for (int round = 0; round < most_rounds && misfit > exact_balance; ++round) {
-    if (!minimise(wish)) break;
-    form_.apply_transposed(l_.data(), balance_.data());
-    d_ = s_;
-    add(-1.0, balance_, d_);
-    add(1.0, d_, shift_);
-    const double now = size > 0.0 ? largest(d_) / size : largest(d_);
+    if (!minimise(p, goal, at, step)) break;
+    p.form.apply_transposed(at.l.data(), missed.data());
+    for (std::size_t b = 0; b < missed.size(); ++b) {
+      for (int c = 0; c < 3; ++c)
+        missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
+    }
+    add(1.0, missed, goal.shift);
+    const double now = size > 0.0 ? largest(missed) / size : largest(missed);
     if (now >= misfit && misfit < good_balance) break;
     misfit = now;
   }
-  return misfit;
-}
-
-void CanonicalFriction::find(const FrictionProgram& friction,
-                             const std::vector<double>& x,
-                             const std::vector<double>& multiplier,
-                             bool with_unique,
-                             CanonicalForces& result) {
-  classify(friction, x);
-  for (auto* v : {&s_, &shift_, &z_, &d_, &balance_})
-    v->assign(form_.blocks(), Quad{});
-  for (auto* v : {&Gz_, &Gd_, &l_})
-    v->assign(form_.count(), Pair{});
-  side_.assign(form_.count(), Side::in);
-  weight_.resize(form_.count());
-  double square = 0.0;
-  for (int i = 0; i < form_.count(); ++i) {
-    const ContactUnit& unit = form_.units()[i];
-    l_[i] = {multiplier[unit.normal], unit.tangent >= 0 ? multiplier[unit.tangent] : 0.0};
-    square = std::max(square, unit.square.n);
-  }
-  rho_ = 1e6 / square;
-  form_.apply_transposed(l_.data(), s_.data());
-  result.misfit = nearest(std::vector<Pair>(l_.size(), Pair{}));
-  result.multiplier = multiplier;
-  result.unique.assign(form_.count(), false);
-  if (result.misfit > good_balance) return;
-  form_.read(l_, result.multiplier);
-  if (with_unique) mark_unique(result, std::vector<Pair>(l_));
+  return {std::move(at.l), misfit};
 }
 
 /// Forces that are by more than `least` N away from the canonical ones are not the only ones.
-void CanonicalFriction::mark_moved(const std::vector<Pair>& canonical,
-                                   double least,
-                                   std::vector<bool>& unique) const {
+void mark_moved(const std::vector<Pair>& l,
+                const std::vector<Pair>& canonical,
+                double least,
+                std::vector<bool>& unique) {
   for (std::size_t i = 0; i < unique.size(); ++i) {
     const double change =
-        std::max(std::abs(l_[i].n - canonical[i].n), std::abs(l_[i].t - canonical[i].t));
+        std::max(std::abs(l[i].n - canonical[i].n), std::abs(l[i].t - canonical[i].t));
     if (change > least) unique[i] = false;
   }
 }
 
 /// A force is the only one possible if wishes of other ones do not move it.
-void CanonicalFriction::mark_unique(CanonicalForces& result, const std::vector<Pair>& canonical) {
+std::vector<bool> find_unique(ForceProblem& p, const std::vector<Pair>& canonical) {
   double force = 0.0;
   for (const Pair& l : canonical)
     force = std::max({force, std::abs(l.n), std::abs(l.t)});
-  result.unique.assign(result.unique.size(), true);
+  std::vector<bool> unique(canonical.size(), true);
   Dice dice(canonical.size());
   std::vector<Pair> wish(canonical.size());
   for (int k = 0; k < wishes; ++k) {
     for (Pair& w : wish)
       w = {force * (2.0 * dice.next() - 1.0), force * (2.0 * dice.next() - 1.0)};
     for (int opposite = 0; opposite < 2; ++opposite) {
-      if (nearest(wish) <= good_balance) mark_moved(canonical, same_force * force, result.unique);
+      const NearestForces other = nearest(p, wish);
+      if (other.misfit <= good_balance) mark_moved(other.l, canonical, same_force * force, unique);
       for (Pair& w : wish)
         w = {-w.n, -w.t};
     }
   }
+  return unique;
+}
+
+}  // namespace
+
+CanonicalForces canonical_friction(const FrictionProgram& friction,
+                                   const std::vector<double>& x,
+                                   const std::vector<double>& multiplier,
+                                   bool with_unique) {
+  ForceProblem p = problem_of(friction, x, multiplier);
+  const NearestForces least = nearest(p, std::vector<Pair>(p.form.count()));
+  CanonicalForces result{multiplier, std::vector<bool>(p.form.count(), false), least.misfit};
+  if (least.misfit > good_balance) return result;
+  p.form.read(least.l, result.multiplier);
+  if (with_unique) result.unique = find_unique(p, least.l);
+  return result;
 }
 
 }  // namespace wuerfel

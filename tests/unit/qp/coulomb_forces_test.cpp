@@ -132,8 +132,8 @@ TEST(CanonicalFriction, GrooveTakesTheLeastSquares) {
   CoulombResult solution;
   solver.solve(c.view(), solution);
   ASSERT_EQ(solution.status, QpStatus::optimal);
-  CanonicalForces forces;
-  CanonicalFriction().find(c.view(), solution.x, solution.multiplier, true, forces);
+  const CanonicalForces forces =
+      canonical_friction(c.view(), solution.x, solution.multiplier, true);
   EXPECT_LE(forces.misfit, 1e-12);
   EXPECT_NEAR(forces.multiplier[0], 4.45909090909091, 1e-11);
   EXPECT_NEAR(forces.multiplier[2], 4.45909090909091, 1e-11);
@@ -149,8 +149,7 @@ TEST(CanonicalFriction, OneCornerIsUnique) {
   builder.add_contact(0, ground, 0.0, 0.0, 0.0, 1.0);
   FrictionCase c = builder.take();
   let_gravity_act(c);
-  CanonicalForces forces;
-  CanonicalFriction().find(c.view(), {0.0, 0.0, 0.0}, {g, 0.0}, true, forces);
+  const CanonicalForces forces = canonical_friction(c.view(), {0.0, 0.0, 0.0}, {g, 0.0}, true);
   EXPECT_NEAR(forces.multiplier[0], g, 1e-13);
   EXPECT_TRUE(forces.unique[0]);
 }
@@ -163,8 +162,8 @@ TEST(CanonicalFriction, WallsBalanceExactly) {
     CoulombResult solution;
     solver.solve(c.view(), solution);
     ASSERT_EQ(solution.status, QpStatus::optimal);
-    CanonicalForces forces;
-    CanonicalFriction().find(c.view(), solution.x, solution.multiplier, false, forces);
+    const CanonicalForces forces =
+        canonical_friction(c.view(), solution.x, solution.multiplier, false);
     EXPECT_LE(forces.misfit, 1e-12) << size;
     EXPECT_LE(coulomb_residual(c.view(), solution.x, forces.multiplier).worst(), 1e-10) << size;
     const auto squares = [](const std::vector<double>& v) {
