@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/block/quad_vector.h"
 #include "core/qp/coulomb/dice.h"
 #include "core/qp/refinement.h"
 
@@ -14,20 +15,11 @@ constexpr double short_step = 0.1;   ///< below it the corrector is given up
 constexpr double stuck_step = 0.02;  ///< four of these in a row end it
 constexpr int most_stuck_steps = 4;
 
-double square(const std::vector<Quad>& v) {
-  double sum = 0.0;
-  for (const Quad& q : v)
-    sum += q.v[0] * q.v[0] + q.v[1] * q.v[1] + q.v[2] * q.v[2];
-  return sum;
-}
-
-}  // namespace
-
 /// All products equal, or as their weights ask.
-void ConeInteriorPoint::start(const ContactForm& form, const ConeInteriorEffort& effort) {
+void start(const ContactForm& form, const ConeInteriorEffort& effort, ConeIterate& at) {
   Dice dice(effort.seed);
-  at_.reset(form);
-  pairs_.assign(form.count(), Pairs{});
+  at.point.reset(form);
+  at.pairs.assign(form.count(), ConePairs{});
   double size = 0.0;
   for (const ContactUnit& unit : form.units()) {
     size = std::max(size, std::abs(unit.h.n) / std::sqrt(unit.square.n));
@@ -36,7 +28,7 @@ void ConeInteriorPoint::start(const ContactForm& form, const ConeInteriorEffort&
   if (size == 0.0) size = 1.0;
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
-    Pairs& p = pairs_[i];
+    ConePairs& p = at.pairs[i];
     if (unit.equality) continue;
     const double norm = std::sqrt(unit.square.n);
     p.count = unit.tangent >= 0 && unit.slides == 0 ? 3 : 1;
@@ -47,19 +39,21 @@ void ConeInteriorPoint::start(const ContactForm& form, const ConeInteriorEffort&
       if (effort.spread > 0.0) p.weight[k] = std::exp(effort.spread * (2.0 * dice.next() - 1.0));
       p.slack[k] = p.weight[k] * size * size / p.force[k];
     }
-    at_.l[i].n = p.force[0];
-    if (unit.slides != 0) at_.l[i].t = -unit.slides * unit.mu * p.force[0];
+    at.point.l[i].n = p.force[0];
+    if (unit.slides != 0) at.point.l[i].t = -unit.slides * unit.mu * p.force[0];
   }
-  at_.recompute(form);
+  at.point.recompute(form);
 }
 
-/// Of force times slack over weight, after a step along the direction.
-double ConeInteriorPoint::mean_product(double step) const {
+/// Of force times slack over weight, after so much of the step.
+double mean_product(const ConeIterate& at, const ConeDirection& step, double length) {
   double sum = 0.0;
   int count = 0;
-  for (const Pairs& p : pairs_) {
+  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
+    const ConePairs& p = at.pairs[i];
+    const ConePairsStep& d = step.pairs[i];
     for (int k = 0; k < p.count; ++k) {
-      sum += (p.force[k] + step * p.d_force[k]) * (p.slack[k] + step * p.d_slack[k]) / p.weight[k];
+      sum += (p.force[k] + length * d.force[k]) * (p.slack[k] + length * d.slack[k]) / p.weight[k];
       ++count;
     }
   }
@@ -67,11 +61,14 @@ double ConeInteriorPoint::mean_product(double step) const {
 }
 
 /// C^-1 of every unit.
-void ConeInteriorPoint::set_weights(const ContactForm& form, double delta) {
-  weight_.resize(pairs_.size());
+void find_weights(const ContactForm& form,
+                  const std::vector<ConePairs>& pairs,
+                  double delta,
+                  std::vector<ContactForm::Weight>& weight) {
+  weight.resize(pairs.size());
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
-    const Pairs& p = pairs_[i];
+    const ConePairs& p = pairs[i];
     ContactForm::Weight w;
     w.nn = 1.0 / (delta * unit.compliance.n + p.slack[0] / p.force[0]);
     if (p.count == 3) {
@@ -82,148 +79,155 @@ void ConeInteriorPoint::set_weights(const ContactForm& form, double delta) {
     } else if (unit.slides != 0) {
       w.tn = -unit.slides * unit.mu * w.nn;
     }
-    weight_[i] = w;
+    weight[i] = w;
   }
 }
 
-/// dl of dy_, and u_ = G' (l + dl) - (y + dy).
-void ConeInteriorPoint::find_forces(const ContactForm& form) {
-  form.apply(dy_.data(), Gdy_.data());
+/// dl and G dy of dy, and what is missed of the equations.
+void find_dl(const ContactForm& form,
+             const ContactPoint& at,
+             ConeSystem& system,
+             ContactStep& step) {
+  auto& [dy, dl, Gdy] = step;
+  form.apply(dy.data(), Gdy.data());
   for (int i = 0; i < form.count(); ++i) {
-    const ContactForm::Weight& w = weight_[i];
-    const double n = right_[i].n - Gdy_[i].n;
-    dl_[i] = {w.nn * n, w.tn * n + w.tt * (right_[i].t - Gdy_[i].t)};
+    const ContactForm::Weight& w = system.weight[i];
+    const Pair& right = system.right[i];
+    const double n = right.n - Gdy[i].n;
+    dl[i] = {w.nn * n + at.l[i].n, w.tn * n + w.tt * (right.t - Gdy[i].t) + at.l[i].t};
   }
+  form.apply_transposed(dl.data(), system.missed.data());
   for (int i = 0; i < form.count(); ++i) {
-    dl_[i].n += at_.l[i].n;
-    dl_[i].t += at_.l[i].t;
+    dl[i].n -= at.l[i].n;
+    dl[i].t -= at.l[i].t;
   }
-  form.apply_transposed(dl_.data(), u_.data());
-  for (int i = 0; i < form.count(); ++i) {
-    dl_[i].n -= at_.l[i].n;
-    dl_[i].t -= at_.l[i].t;
-  }
-  for (std::size_t b = 0; b < u_.size(); ++b) {
+  for (std::size_t b = 0; b < dy.size(); ++b) {
     for (int c = 0; c < 3; ++c)
-      u_[b].v[c] -= at_.y[b].v[c] + dy_[b].v[c];
+      system.missed[b].v[c] -= at.y[b].v[c] + dy[b].v[c];
+  }
+}
+
+/// The system solved and refined.
+void solve(const ContactForm& form, const ContactPoint& at, ConeSystem& system, ContactStep& step) {
+  step.dl.resize(at.l.size());
+  step.Gdy.resize(at.l.size());
+  step.dy.assign(at.y.size(), Quad{});
+  system.missed.resize(at.y.size());
+  find_dl(form, at, system, step);
+  double former = unbounded;
+  for (int round = 0; round <= most_refinements; ++round) {
+    form.solve(system.missed.data());
+    add(1.0, system.missed, step.dy);
+    find_dl(form, at, system, step);
+    const double missed = dot(system.missed, system.missed);
+    if (missed <= 1e-28 * dot(step.dy, step.dy) || !(missed < 0.25 * former)) break;
+    former = missed;
   }
 }
 
 /// Newton's direction to products weight * tau less the corrector's terms.
-void ConeInteriorPoint::find_direction(const ContactForm& form, double tau) {
-  right_.resize(pairs_.size());
-  dl_.resize(pairs_.size());
-  Gdy_.resize(pairs_.size());
+void find_direction(const ContactForm& form,
+                    const ConeIterate& at,
+                    double tau,
+                    ConeSystem& system,
+                    ConeDirection& step) {
+  system.right.resize(at.pairs.size());
   for (int i = 0; i < form.count(); ++i) {
-    const Pairs& p = pairs_[i];
+    const ConePairs& p = at.pairs[i];
     double to[3] = {0.0, 0.0, 0.0};  // what the slacks become where the forces stay
     for (int k = 0; k < p.count; ++k)
-      to[k] = (p.weight[k] * tau - p.extra[k]) / p.force[k];
-    right_[i] = {at_.rest[i].n + to[0], at_.rest[i].t + to[2] - to[1]};
+      to[k] = (p.weight[k] * tau - system.corrector[i][k]) / p.force[k];
+    system.right[i] = {at.point.rest[i].n + to[0], at.point.rest[i].t + to[2] - to[1]};
   }
-  dy_.assign(at_.y.size(), Quad{});
-  u_.resize(dy_.size());
-  find_forces(form);
-  double former = unbounded;
-  for (int round = 0; round <= most_refinements; ++round) {
-    form.solve(u_.data());
-    for (std::size_t b = 0; b < dy_.size(); ++b) {
-      for (int c = 0; c < 3; ++c)
-        dy_[b].v[c] += u_[b].v[c];
-    }
-    find_forces(form);
-    const double missed = square(u_);
-    if (missed <= 1e-28 * square(dy_) || !(missed < 0.25 * former)) break;
-    former = missed;
-  }
+  solve(form, at.point, system, step.point);
   for (int i = 0; i < form.count(); ++i) {
-    const ContactUnit& unit = form.units()[i];
-    Pairs& p = pairs_[i];
-    p.d_force[0] = dl_[i].n;
-    p.d_force[1] = unit.mu * dl_[i].n - dl_[i].t;
-    p.d_force[2] = unit.mu * dl_[i].n + dl_[i].t;
+    const double mu = form.units()[i].mu;
+    const Pair& dl = step.point.dl[i];
+    const ConePairs& p = at.pairs[i];
+    ConePairsStep& d = step.pairs[i];
+    d.force[0] = dl.n;
+    d.force[1] = mu * dl.n - dl.t;
+    d.force[2] = mu * dl.n + dl.t;
     for (int k = 0; k < p.count; ++k) {
-      p.d_slack[k] =
-          (p.weight[k] * tau - p.extra[k] - p.slack[k] * p.d_force[k]) / p.force[k] - p.slack[k];
+      const double product = p.weight[k] * tau - system.corrector[i][k];
+      d.slack[k] = (product - p.slack[k] * d.force[k]) / p.force[k] - p.slack[k];
     }
   }
 }
 
-double ConeInteriorPoint::longest_step() const {
-  double step = 1.0 / boundary_share;
-  for (const Pairs& p : pairs_) {
+/// How far a step goes, so that all forces and slacks stay above zero.
+double step_length(const ConeIterate& at, const ConeDirection& step) {
+  double longest = 1.0 / boundary_share;
+  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
+    const ConePairs& p = at.pairs[i];
+    const ConePairsStep& d = step.pairs[i];
     for (int k = 0; k < p.count; ++k) {
-      if (p.d_force[k] < 0.0) step = std::min(step, -p.force[k] / p.d_force[k]);
-      if (p.d_slack[k] < 0.0) step = std::min(step, -p.slack[k] / p.d_slack[k]);
+      if (d.force[k] < 0.0) longest = std::min(longest, -p.force[k] / d.force[k]);
+      if (d.slack[k] < 0.0) longest = std::min(longest, -p.slack[k] / d.slack[k]);
     }
   }
-  return step;
+  return std::min(1.0, boundary_share * longest);
 }
 
-void ConeInteriorPoint::move(const ContactForm& form, double step) {
-  for (int i = 0; i < form.count(); ++i) {
-    Pairs& p = pairs_[i];
+void move(double length, const ConeDirection& step, ConeIterate& at) {
+  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
+    ConePairs& p = at.pairs[i];
     for (int k = 0; k < p.count; ++k) {
-      p.force[k] += step * p.d_force[k];
-      p.slack[k] += step * p.d_slack[k];
+      p.force[k] += length * step.pairs[i].force[k];
+      p.slack[k] += length * step.pairs[i].slack[k];
     }
-    at_.l[i].n += step * dl_[i].n;
-    at_.l[i].t += step * dl_[i].t;
-    at_.rest[i].n -= step * Gdy_[i].n;
-    at_.rest[i].t -= step * Gdy_[i].t;
   }
-  for (std::size_t b = 0; b < dy_.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      at_.y[b].v[c] += step * dy_[b].v[c];
-  }
+  at.point.move(length, step.point);
 }
 
-ConeInteriorPoint::Product ConeInteriorPoint::product_of(const ContactUnit& unit,
-                                                         const Pairs& p,
-                                                         int k,
-                                                         double per_force) {
+/// 1 / the largest force, which is `weight` at least.
+double per_largest_force(const ContactForm& form, const ContactPoint& point, double weight) {
+  double force = weight;
+  for (int i = 0; i < form.count(); ++i)
+    force = std::max(force, std::abs(point.l[i].n) * form.units()[i].norm.n);
+  return force > 0.0 ? 1.0 / force : 1.0;
+}
+
+/// The partners of a pair as shares of the largest force and velocity.
+struct Product {
+  double force = 0.0;
+  double slack = 0.0;
+};
+
+Product product_of(const ContactUnit& unit, const ConePairs& p, int k, double per_force) {
   const double norm = k == 0 ? unit.norm.n : unit.norm.t;
   const double per_velocity = k == 0 ? unit.per_velocity.n : unit.per_velocity.t;
   return {p.force[k] * norm * per_force, p.slack[k] * per_velocity};
 }
 
 /// The smaller of every pair and what rows miss, forces to the largest force.
-double ConeInteriorPoint::worst_pair(const ContactForm& form, double weight) const {
-  double force = weight;
-  for (int i = 0; i < form.count(); ++i)
-    force = std::max(force, std::abs(at_.l[i].n) * form.units()[i].norm.n);
-  const double per_force = force > 0.0 ? 1.0 / force : 1.0;
+double worst_pair(const ContactForm& form, double weight, const ConeIterate& at) {
+  const double per_force = per_largest_force(form, at.point, weight);
   double worst = 0.0;
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
-    const Pairs& p = pairs_[i];
+    const ConePairs& p = at.pairs[i];
     for (int k = 0; k < p.count; ++k) {
       const Product product = product_of(unit, p, k, per_force);
       worst = std::max(worst, std::min(product.force, product.slack));
     }
-    const double n = at_.rest[i].n + p.slack[0];
-    worst = std::max(worst, std::abs(n) * unit.per_velocity.n);
+    const Pair& rest = at.point.rest[i];
+    worst = std::max(worst, std::abs(rest.n + p.slack[0]) * unit.per_velocity.n);
     if (p.count == 3) {
-      const double t = at_.rest[i].t + p.slack[2] - p.slack[1];
+      const double t = rest.t + p.slack[2] - p.slack[1];
       worst = std::max(worst, std::abs(t) * unit.per_velocity.t);
     }
   }
-  if (!std::isfinite(worst)) return unbounded;
-  return worst;
+  return std::isfinite(worst) ? worst : unbounded;
 }
 
-/// Every pair's smaller partner to zero.
-void ConeInteriorPoint::round_off(const ContactForm& form,
-                                  double weight,
-                                  ContactPoint& point) const {
-  point = at_;
-  double force = weight;
-  for (int i = 0; i < form.count(); ++i)
-    force = std::max(force, std::abs(at_.l[i].n) * form.units()[i].norm.n);
-  const double per_force = force > 0.0 ? 1.0 / force : 1.0;
+/// The point with every pair's smaller partner put to zero.
+void round_off(const ContactForm& form, double weight, const ConeIterate& at, ContactPoint& point) {
+  point = at.point;
+  const double per_force = per_largest_force(form, at.point, weight);
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
-    const Pairs& p = pairs_[i];
+    const ConePairs& p = at.pairs[i];
     if (p.count == 0) continue;
     const auto is_force = [&](int k) {
       const Product product = product_of(unit, p, k, per_force);
@@ -238,48 +242,49 @@ void ConeInteriorPoint::round_off(const ContactForm& form,
 }
 
 /// Predictor and corrector; beyond a fold, where det K < 0, tau has to grow.
-void ConeInteriorPoint::choose_direction(const ContactForm& form) {
-  const double tau = mean_product(0.0);
-  const auto forget_corrector = [&] {
-    for (Pairs& p : pairs_)
-      std::fill(p.extra, p.extra + 3, 0.0);
-  };
-  forget_corrector();
+void choose_direction(const ContactForm& form,
+                      const ConeIterate& at,
+                      ConeSystem& system,
+                      ConeDirection& step) {
+  const double tau = mean_product(at, step, 0.0);
+  system.corrector.assign(at.pairs.size(), {});
   if (form.sign() < 0) {
-    find_direction(form, 2.0 * tau);
+    find_direction(form, at, 2.0 * tau, system, step);
     return;
   }
-  find_direction(form, 0.0);
-  const double affine = std::min(1.0, boundary_share * longest_step());
-  const double ratio = tau > 0.0 ? mean_product(affine) / tau : 0.0;
-  for (Pairs& p : pairs_) {
-    for (int k = 0; k < p.count; ++k)
-      p.extra[k] = p.d_force[k] * p.d_slack[k];
+  find_direction(form, at, 0.0, system, step);
+  const double ratio = tau > 0.0 ? mean_product(at, step, step_length(at, step)) / tau : 0.0;
+  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
+    for (int k = 0; k < at.pairs[i].count; ++k)
+      system.corrector[i][k] = step.pairs[i].force[k] * step.pairs[i].slack[k];
   }
-  find_direction(form, std::clamp(ratio * ratio * ratio, 0.0, 1.0) * tau);
-  if (boundary_share * longest_step() >= short_step) return;
-  forget_corrector();
-  find_direction(form, 0.9 * tau);
+  find_direction(form, at, std::clamp(ratio * ratio * ratio, 0.0, 1.0) * tau, system, step);
+  if (step_length(at, step) >= short_step) return;
+  system.corrector.assign(at.pairs.size(), {});
+  find_direction(form, at, 0.9 * tau, system, step);
 }
+
+}  // namespace
 
 ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
                                            double weight,
                                            const ConeInteriorEffort& effort,
                                            ContactPoint& point) {
   ConeInteriorOutcome outcome;
-  start(form, effort);
+  start(form, effort, at_);
+  step_.pairs.assign(at_.pairs.size(), {});
   int stuck = 0;
   while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps) {
-    set_weights(form, effort.delta);
+    find_weights(form, at_.pairs, effort.delta, system_.weight);
     ++outcome.factorisations;
-    if (!form.factorise(weight_)) break;
-    choose_direction(form);
-    const double step = std::min(1.0, boundary_share * longest_step());
-    move(form, step);
-    const double worst = worst_pair(form, weight);
+    if (!form.factorise(system_.weight)) break;
+    choose_direction(form, at_, system_, step_);
+    const double step = step_length(at_, step_);
+    move(step, step_, at_);
+    const double worst = worst_pair(form, weight, at_);
     if (worst < outcome.worst) {
       outcome.worst = worst;
-      round_off(form, weight, point);
+      round_off(form, weight, at_, point);
     }
     if (worst <= effort.goal || worst == unbounded) break;
     stuck = step < stuck_step ? stuck + 1 : 0;

@@ -14,6 +14,7 @@
 /// fold: there det K changes its sign, and tau has to grow until it changes back.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,36 @@ struct ConeInteriorOutcome {
   int factorisations = 0;
 };
 
+/// The three pairs of a unit: forces, what they are complementary to, targets' weights. Pairs that a
+/// unit does not have stay (1, 0).
+struct ConePairs {
+  double force[3] = {1.0, 1.0, 1.0};
+  double slack[3] = {0.0, 0.0, 0.0};
+  double weight[3] = {1.0, 1.0, 1.0};
+  int count = 0;
+};
+struct ConePairsStep {
+  double force[3] = {0.0, 0.0, 0.0};
+  double slack[3] = {0.0, 0.0, 0.0};
+};
+
+struct ConeIterate {
+  std::vector<ConePairs> pairs;
+  ContactPoint point;
+};
+struct ConeDirection {
+  std::vector<ConePairsStep> pairs;
+  ContactStep point;
+};
+/// Newton's equations for y.
+struct ConeSystem {
+  std::vector<ContactForm::Weight> weight;       ///< C^-1
+  std::vector<std::array<double, 3>> corrector;  ///< second-order terms of the products
+  std::vector<Pair> right;
+  std::vector<Quad> missed;  ///< G' (l + dl) - (y + dy)
+};
+
+/// Keeps its memory between runs.
 class ConeInteriorPoint {
  public:
   /// `weight` is the largest weight of the program, of which forces are shares.
@@ -43,41 +74,9 @@ class ConeInteriorPoint {
                           ContactPoint& point);
 
  private:
-  /// The three pairs of a unit: forces, what they are complementary to, targets' weights. Pairs that
-  /// a unit does not have stay (1, 0).
-  struct Pairs {
-    double force[3] = {1.0, 1.0, 1.0};
-    double slack[3] = {0.0, 0.0, 0.0};
-    double weight[3] = {1.0, 1.0, 1.0};
-    double d_force[3] = {0.0, 0.0, 0.0};
-    double d_slack[3] = {0.0, 0.0, 0.0};
-    double extra[3] = {0.0, 0.0, 0.0};  ///< second-order term of the corrector
-    int count = 0;
-  };
-
-  /// The partners of a pair as shares of the largest force and velocity.
-  struct Product {
-    double force = 0.0;
-    double slack = 0.0;
-  };
-
-  static Product product_of(const ContactUnit& unit, const Pairs& p, int k, double per_force);
-  void start(const ContactForm& form, const ConeInteriorEffort& effort);
-  [[nodiscard]] double mean_product(double step) const;
-  void set_weights(const ContactForm& form, double delta);
-  void find_direction(const ContactForm& form, double tau);
-  void choose_direction(const ContactForm& form);
-  void find_forces(const ContactForm& form);
-  [[nodiscard]] double longest_step() const;
-  void move(const ContactForm& form, double step);
-  [[nodiscard]] double worst_pair(const ContactForm& form, double weight) const;
-  void round_off(const ContactForm& form, double weight, ContactPoint& point) const;
-
-  std::vector<Pairs> pairs_;
-  std::vector<ContactForm::Weight> weight_;
-  ContactPoint at_;
-  std::vector<Pair> right_, dl_, Gdy_;
-  std::vector<Quad> dy_, u_;
+  ConeIterate at_;
+  ConeDirection step_;
+  ConeSystem system_;
 };
 
 }  // namespace wuerfel

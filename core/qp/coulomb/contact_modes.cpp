@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/qp/block/quad_vector.h"
 #include "core/qp/refinement.h"
 
 namespace wuerfel {
@@ -28,6 +29,16 @@ void ContactPoint::recompute(const ContactForm& form) {
     const Pair& h = form.units()[i].h;
     rest[i] = {h.n - rest[i].n, h.t - rest[i].t};
   }
+}
+
+void ContactPoint::move(double length, const ContactStep& step) {
+  for (std::size_t i = 0; i < l.size(); ++i) {
+    l[i].n += length * step.dl[i].n;
+    l[i].t += length * step.dl[i].t;
+    rest[i].n -= length * step.Gdy[i].n;
+    rest[i].t -= length * step.Gdy[i].t;
+  }
+  add(length, step.dy, y);
 }
 
 double largest_force(const ContactForm& form, const std::vector<Pair>& l) {
@@ -102,64 +113,50 @@ bool ModeSystem::factorise(ContactForm& form,
 
 /// Forces that belong to dy, from the rows; leaves u_ = G' dl - dy.
 void ModeSystem::find_forces(const ContactForm& form, const std::vector<Pair>& r) {
-  form.apply(dy_.data(), Gdy_.data());
+  auto& [dy, dl, Gdy] = step_;
+  form.apply(dy.data(), Gdy.data());
   for (int i = 0; i < form.count(); ++i) {
     const ContactForm::Weight& w = weight_[i];
-    const double n = r[i].n - Gdy_[i].n;
-    dl_[i] = {w.nn * n, w.tn * n + w.tt * (r[i].t - Gdy_[i].t)};
+    const double n = r[i].n - Gdy[i].n;
+    dl[i] = {w.nn * n, w.tn * n + w.tt * (r[i].t - Gdy[i].t)};
   }
-  form.apply_transposed(dl_.data(), u_.data());
+  form.apply_transposed(dl.data(), u_.data());
 }
 
 void ModeSystem::solve(const ContactForm& form,
                        const std::vector<Pair>& r,
                        const std::vector<Quad>& u) {
-  dl_.resize(r.size());
-  Gdy_.resize(r.size());
-  dy_.assign(u.size(), Quad{});
+  auto& [dy, dl, Gdy] = step_;
+  dl.resize(r.size());
+  Gdy.resize(r.size());
+  dy.assign(u.size(), Quad{});
   if (pivoting_ == Pivoting::full) {
-    pivoted_.solve(form, r, u, dy_, dl_);
-    form.apply(dy_.data(), Gdy_.data());
+    pivoted_.solve(form, r, u, dy, dl);
+    form.apply(dy.data(), Gdy.data());
     return;
   }
   u_.resize(u.size());
   for (int i = 0; i < form.count(); ++i) {
     const ContactForm::Weight& w = weight_[i];
-    dl_[i] = {w.nn * r[i].n, w.tn * r[i].n + w.tt * r[i].t};
+    dl[i] = {w.nn * r[i].n, w.tn * r[i].n + w.tt * r[i].t};
   }
-  form.apply_transposed(dl_.data(), u_.data());
+  form.apply_transposed(dl.data(), u_.data());
   double former = unbounded;
   for (int round = 0; round <= most_refinements; ++round) {
     double size = 0.0;
     double missed = 0.0;
     for (std::size_t b = 0; b < u.size(); ++b) {
       for (int c = 0; c < 3; ++c) {
-        u_[b].v[c] += u[b].v[c] - dy_[b].v[c];
+        u_[b].v[c] += u[b].v[c] - dy[b].v[c];
         missed = std::max(missed, std::abs(u_[b].v[c]));
-        size = std::max(size, std::abs(dy_[b].v[c]));
+        size = std::max(size, std::abs(dy[b].v[c]));
       }
     }
     if (round > 0 && (missed <= exact_balance * size || !(missed < 0.5 * former))) break;
     if (round > 0) former = missed;
     form.solve(u_.data());
-    for (std::size_t b = 0; b < u.size(); ++b) {
-      for (int c = 0; c < 3; ++c)
-        dy_[b].v[c] += u_[b].v[c];
-    }
+    add(1.0, u_, dy);
     find_forces(form, r);
-  }
-}
-
-void ModeSystem::move(double step, ContactPoint& point) const {
-  for (std::size_t i = 0; i < dl_.size(); ++i) {
-    point.l[i].n += step * dl_[i].n;
-    point.l[i].t += step * dl_[i].t;
-    point.rest[i].n -= step * Gdy_[i].n;
-    point.rest[i].t -= step * Gdy_[i].t;
-  }
-  for (std::size_t b = 0; b < dy_.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      point.y[b].v[c] += step * dy_[b].v[c];
   }
 }
 

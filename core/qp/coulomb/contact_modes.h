@@ -29,6 +29,12 @@ inline ContactMode slip_mode(double sign) {
   return sign > 0.0 ? ContactMode::slip_forward : ContactMode::slip_back;
 }
 
+/// A change of forces and of what they make of a point and of its rows.
+struct ContactStep {
+  std::vector<Quad> dy;
+  std::vector<Pair> dl, Gdy;
+};
+
 /// Forces, what they make of the point, and what the rows miss.
 struct ContactPoint {
   std::vector<Quad> y;
@@ -37,6 +43,7 @@ struct ContactPoint {
   void reset(const ContactForm& form);
   /// y = G' l, anew.
   void recompute(const ContactForm& form);
+  void move(double length, const ContactStep& step);
 };
 
 /// The largest of these forces, normal or tangential.
@@ -76,10 +83,9 @@ class ModeSystem {
   /// Solves  g dy + d dl = r  for the rows in force and  dy - G' dl = u,  refined. `r` of rows not
   /// in force is not looked at.
   void solve(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
-  /// point += step (dy, dl)
-  void move(double step, ContactPoint& point) const;
-  [[nodiscard]] const std::vector<Pair>& dl() const { return dl_; }
-  [[nodiscard]] const std::vector<Pair>& Gdy() const { return Gdy_; }
+  void move(double length, ContactPoint& point) const { point.move(length, step_); }
+  [[nodiscard]] const std::vector<Pair>& dl() const { return step_.dl; }
+  [[nodiscard]] const std::vector<Pair>& Gdy() const { return step_.Gdy; }
 
  private:
   void find_forces(const ContactForm& form, const std::vector<Pair>& r);
@@ -87,8 +93,8 @@ class ModeSystem {
   PivotedModes pivoted_;
   Pivoting pivoting_ = Pivoting::none;
   std::vector<ContactForm::Weight> weight_;
-  std::vector<Pair> dl_, Gdy_;
-  std::vector<Quad> dy_, u_;
+  ContactStep step_;
+  std::vector<Quad> u_;
 };
 
 /// The forces in their cones and as the mode has them: l_n = 0 where open, l_t = -s mu l_n.
