@@ -127,58 +127,65 @@ bool BlockMethods::take(const QuadraticProgram& program,
 /// better. Between bodies of very different mass y = G' lambda is the small difference of large
 /// forces and misses the rows by their rounding; apart from each other both are exact.
 void BlockMethods::settle(const QuadraticProgram& program, Answer& answer) {
+  start_settling(answer.multiplier, settling_);
+  weight_tight_rows(answer.multiplier, settling_);
+  problem_.factorise(settling_.weight.data());
   Answer& moved = settled_;
-  weight_tight_rows(answer.multiplier);
-  problem_.factorise(weight_.data());
-  d_.resize(y_.size());
-  for (std::size_t i = 0; i < rest_.size(); ++i)
-    rest_[i] = problem_.h()[i] - rest_[i];
   moved.multiplier = answer.multiplier;
-  unbalance_.assign(y_.size(), Quad{});
-  for (int round = 0; round < settling_rounds; ++round) {
-    for (std::size_t i = 0; i < rest_.size(); ++i)
-      change_[i] = weight_[i] * rest_[i];
-    problem_.apply_transposed(change_.data(), d_.data());
-    add(1.0, unbalance_, d_);
-    problem_.solve(d_.data());
-    problem_.apply(d_.data(), change_.data());
-    add(1.0, d_, y_);
-    for (std::size_t i = 0; i < rest_.size(); ++i) {
-      const double lambda = moved.multiplier[i] + weight_[i] * (rest_[i] - change_[i]);
-      rest_[i] -= change_[i];
-      moved.multiplier[i] =
-          std::min(std::max(lambda, problem_.force_min()[i]), problem_.force_max()[i]);
-    }
-    problem_.apply_transposed(moved.multiplier.data(), unbalance_.data());
-    add(-1.0, y_, unbalance_);
-  }
-  problem_.read(program, y_, moved.x);
+  for (int round = 0; round < settling_rounds; ++round)
+    move_onto_tight_rows(settling_, moved.multiplier);
+  problem_.read(program, settling_.y, moved.x);
   moved.residual = meter_.measure(program, moved.x, moved.multiplier);
   if (moved.residual.worst() < answer.residual.worst()) std::swap(answer, moved);
 }
 
-/// Rows whose slack is small rather than their force, seen from y = G' lambda; leaves y and, in `rest_`,
-/// G y.
-void BlockMethods::weight_tight_rows(const std::vector<double>& multiplier) {
+/// y = G' lambda and what rows miss there.
+void BlockMethods::start_settling(const std::vector<double>& multiplier, Settling& point) const {
+  for (auto* v : {&point.rest, &point.weight, &point.pull, &point.Gd})
+    v->resize(problem_.rows());
+  for (auto* v : {&point.y, &point.d})
+    v->resize(problem_.blocks());
+  point.unbalance.assign(problem_.blocks(), Quad{});
+  problem_.apply_transposed(multiplier.data(), point.y.data());
+  problem_.apply(point.y.data(), point.rest.data());
+  for (int i = 0; i < problem_.rows(); ++i)
+    point.rest[i] = problem_.h()[i] - point.rest[i];
+}
+
+/// Rows whose slack is small rather than their force.
+void BlockMethods::weight_tight_rows(const std::vector<double>& multiplier, Settling& point) const {
   const ResidualScales& scales = meter_.scales();
-  const int rows = problem_.rows();
-  weight_.resize(rows);
-  rest_.resize(rows);
-  change_.resize(rows);
-  y_.resize(problem_.blocks());
   double force = scales.weight;
-  for (int i = 0; i < rows; ++i)
+  for (int i = 0; i < problem_.rows(); ++i)
     force = std::max(force, std::abs(multiplier[i]) * scales.row_norm[i]);
-  problem_.apply_transposed(multiplier.data(), y_.data());
-  problem_.apply(y_.data(), rest_.data());
-  for (int i = 0; i < rows; ++i) {
-    const double slack = rest_[i] - problem_.h()[i];
-    const double distance = slack > 0.0 ? multiplier[i] - problem_.force_min()[i]
-                                        : problem_.force_max()[i] - multiplier[i];
+  for (int i = 0; i < problem_.rows(); ++i) {
+    const double rest = point.rest[i];
+    const double distance = rest < 0.0 ? multiplier[i] - problem_.force_min()[i]
+                                       : problem_.force_max()[i] - multiplier[i];
     const double norm = scales.row_norm[i];
-    const bool tight = distance * norm * scales.acceleration > std::abs(slack) / norm * force;
-    weight_[i] = tight && problem_.square()[i] > 0.0 ? settling_weight / problem_.square()[i] : 0.0;
+    const double square = problem_.square()[i];
+    const bool tight = distance * norm * scales.acceleration > std::abs(rest) / norm * force;
+    point.weight[i] = tight && square > 0.0 ? settling_weight / square : 0.0;
   }
+}
+
+/// One solve with the factors at hand.
+void BlockMethods::move_onto_tight_rows(Settling& point, std::vector<double>& multiplier) {
+  auto& [y, rest, weight, unbalance, d, pull, Gd] = point;
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    pull[i] = weight[i] * rest[i];
+  problem_.apply_transposed(pull.data(), d.data());
+  add(1.0, unbalance, d);
+  problem_.solve(d.data());
+  problem_.apply(d.data(), Gd.data());
+  add(1.0, d, y);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    rest[i] -= Gd[i];
+    multiplier[i] = std::min(std::max(multiplier[i] + weight[i] * rest[i], problem_.force_min()[i]),
+                             problem_.force_max()[i]);
+  }
+  problem_.apply_transposed(multiplier.data(), unbalance.data());
+  add(-1.0, y, unbalance);
 }
 
 }  // namespace wuerfel

@@ -42,6 +42,16 @@ class BlockMethods {
     std::vector<double> multiplier;
     QpResidual residual;
   };
+  /// A point on its way onto the rows that carry force.
+  struct Settling {
+    std::vector<Quad> y;
+    std::vector<double> rest;     ///< h - G y
+    std::vector<double> weight;   ///< of rows that are tight, 0 of the others
+    std::vector<Quad> unbalance;  ///< G' lambda - y
+    // Of one round.
+    std::vector<Quad> d;
+    std::vector<double> pull, Gd;
+  };
   [[nodiscard]] bool has_impossible_row() const;
   bool try_interior_point(const QuadraticProgram& program,
                           bool warm,
@@ -54,7 +64,9 @@ class BlockMethods {
             const std::vector<double>& multiplier,
             QpResult& result);
   void settle(const QuadraticProgram& program, Answer& answer);
-  void weight_tight_rows(const std::vector<double>& multiplier);
+  void start_settling(const std::vector<double>& multiplier, Settling& point) const;
+  void weight_tight_rows(const std::vector<double>& multiplier, Settling& point) const;
+  void move_onto_tight_rows(Settling& point, std::vector<double>& multiplier);
 
   QpSettings settings_;
   LeastDistance problem_;
@@ -66,8 +78,7 @@ class BlockMethods {
   int warm_factorisations_ = 0;
   int cold_factorisations_ = 0;
   Answer answer_, settled_;
-  std::vector<double> weight_, rest_, change_;
-  std::vector<Quad> y_, d_, unbalance_;
+  Settling settling_;
 };
 
 }  // namespace wuerfel
