@@ -7,12 +7,12 @@
 
 #include "core/dynamics/programs.h"
 #include "core/qp/qp_solver.h"
+#include "core/qp/residual_meter.h"
 
 namespace wuerfel {
 
-/// A contact presses where its force is greater than this share of the largest: a solver may leave less at contacts
-/// that don't.
-inline constexpr double pressing_share = 1e-9;
+/// A contact presses where its force is greater than this share of the largest.
+inline constexpr double pressing_share = loaded_share;
 
 /// What a program over an island says.
 struct [[nodiscard]] IslandSolution {

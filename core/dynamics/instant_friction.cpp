@@ -12,8 +12,6 @@
 namespace wuerfel {
 namespace {
 
-/// Slip is seen in a solution above this share of the largest acceleration of the program.
-constexpr double slipping = 1e-9;
 /// Above this coefficient the rows J_n +- mu J_t of the convex program are so alike that normal parts
 /// lose their digits: what can be held with less is asked first.
 constexpr double strong_friction = 8.0;
@@ -115,7 +113,7 @@ std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSoluti
     multiplier[contact.normal] = std::max(0.0, of.forces[k]);
     if (contact.tangent < 0) continue;
     const double ut = friction.program.slack(contact.tangent, x);
-    if (std::abs(ut) > slipping * scale)
+    if (std::abs(ut) > still_share * scale)
       multiplier[contact.tangent] = std::copysign(contact.mu * multiplier[contact.normal], -ut);
   }
   return multiplier;

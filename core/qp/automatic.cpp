@@ -6,9 +6,8 @@
 namespace wuerfel {
 namespace {
 
-constexpr int small_problem = 300;              ///< blocks up to which newton is cheap
-constexpr int large_problem = 1500;             ///< blocks from which it is not tried again
-constexpr int most_newton_factorisations = 20;  ///< then the other method takes over
+constexpr int small_problem = 300;   ///< blocks up to which newton is cheap
+constexpr int large_problem = 1500;  ///< blocks from which it is not tried again
 /// Part of the rows that the first step may contradict the guess on.
 constexpr double most_wrong_guesses = 0.2;
 constexpr double most_wrong_guesses_of_large = 0.02;
@@ -22,14 +21,10 @@ constexpr double guess_tolerance = 1e-11;
 constexpr int most_guessed_blocks = 64;
 constexpr int longest_pause = 64;
 
-/// Small programs whose residual is above this are finished off: it costs next to nothing.
-constexpr double finished_residual = 1e-13;
+/// Up to so many rows whatever is not exact is finished off: it costs next to nothing.
+constexpr int small_program = 24;
 constexpr double finished_share = 0.1;  ///< of the residual before
-constexpr int small_program = 24;       ///< rows
 constexpr int most_refined_rows = 400;
-
-/// Rows are loaded with more than this share of the largest force.
-constexpr double loaded_share = 1e-9;
 
 /// Bodies that are left at rest: whoever looks takes these for exact zeros.
 bool is_zero(const std::vector<double>& x, const QuadraticProgram& program) {
@@ -99,7 +94,7 @@ bool AutomaticSolver::newton_is_due() {
 }
 
 NewtonEffort AutomaticSolver::newton_effort() const {
-  NewtonEffort effort{.most_factorisations = most_newton_factorisations};
+  NewtonEffort effort;
   if (newton_.knows_sides || methods_.blocks() <= small_problem) return effort;
   const bool large = methods_.blocks() > large_problem;
   effort.most_changes = large ? most_wrong_guesses_of_large : most_wrong_guesses;
@@ -127,7 +122,7 @@ void AutomaticSolver::improve(const QuadraticProgram& program, QpResult& result)
   const double reached = result.residual.worst();
   if (result.status == QpStatus::inaccurate) {
     finish_off(program, methods_.settings().tolerance, result);
-  } else if (result.status == QpStatus::optimal && reached > finished_residual
+  } else if (result.status == QpStatus::optimal && reached > exact_residual
              && program.rows() <= small_program) {
     finish_off(program, finished_share * reached, result);
   }

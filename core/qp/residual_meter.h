@@ -26,6 +26,11 @@ void replace_zero_norms(std::vector<double>& norms);
 
 /// Answers whose residual is below it are worth moving onto the rows that carry force.
 inline constexpr double worth_settling = 1e-4;
+/// An error up to here is rounding: work on it gains nothing.
+inline constexpr double exact_residual = 1e-13;
+/// A row carries force if it is more than this share of the largest, of all or on its bodies: solvers
+/// may leave less on rows that carry none.
+inline constexpr double loaded_share = 1e-9;
 
 /// Keeps its memory between measurements.
 class ResidualMeter {

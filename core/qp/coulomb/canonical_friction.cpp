@@ -10,8 +10,7 @@
 namespace wuerfel {
 namespace {
 
-constexpr double still = 1e-9;     ///< velocities below this share of the largest are zero
-constexpr double first_rho = 1e6;  ///< in units of 1 / |g|^2
+constexpr double stiffness = 1e6;  ///< in units of 1 / |g|^2
 constexpr int most_newton_steps = 60;
 constexpr int most_rounds = 100;
 constexpr double exact_balance = 1e-14;
@@ -58,11 +57,11 @@ void classify(const FrictionProgram& friction, const std::vector<double>& x, For
     const ContactUnit& unit = p.form.units()[i];
     if (unit.equality) continue;
     p.cone[i] = Cone::nothing;
-    if (friction.program.slack(unit.normal, x) * unit.per_velocity.n > still) continue;
+    if (friction.program.slack(unit.normal, x) * unit.per_velocity.n > still_share) continue;
     p.cone[i] = Cone::half_line;
     if (unit.tangent < 0) continue;
     const double ut = friction.program.slack(unit.tangent, x);
-    const bool slips = std::abs(ut) * unit.per_velocity.t > still;
+    const bool slips = std::abs(ut) * unit.per_velocity.t > still_share;
     p.slip[i] = unit.slides != 0 ? unit.slides : slips ? std::copysign(1.0, ut) : 0.0;
     p.cone[i] = p.slip[i] != 0.0 ? Cone::edge : Cone::cone;
   }
@@ -87,7 +86,7 @@ ForceProblem problem_of(const FrictionProgram& friction,
     l.push_back({multiplier[unit.normal], unit.tangent >= 0 ? multiplier[unit.tangent] : 0.0});
     square = std::max(square, unit.square.n);
   }
-  p.rho = first_rho / square;
+  p.rho = stiffness / square;
   p.s.resize(p.form.blocks());
   p.form.apply_transposed(l.data(), p.s.data());
   return p;

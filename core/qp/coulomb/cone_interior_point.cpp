@@ -5,12 +5,12 @@
 
 #include "core/qp/block/quad_vector.h"
 #include "core/qp/coulomb/dice.h"
+#include "core/qp/interior_step.h"
 #include "core/qp/refinement.h"
 
 namespace wuerfel {
 namespace {
 
-constexpr double boundary_share = 0.995;
 constexpr double short_step = 0.1;   ///< below it the corrector is given up
 constexpr double stuck_step = 0.02;  ///< four of these in a row end it
 constexpr int most_stuck_steps = 4;
@@ -157,7 +157,7 @@ void find_direction(const ContactForm& form,
 
 /// How far a step goes, so that all forces and slacks stay above zero.
 double step_length(const ConeIterate& at, const ConeDirection& step) {
-  double longest = 1.0 / boundary_share;
+  double longest = 1.0 / to_the_boundary;
   for (std::size_t i = 0; i < at.pairs.size(); ++i) {
     const ConePairs& p = at.pairs[i];
     const ConePairsStep& d = step.pairs[i];
@@ -166,7 +166,7 @@ double step_length(const ConeIterate& at, const ConeDirection& step) {
       if (d.slack[k] < 0.0) longest = std::min(longest, -p.slack[k] / d.slack[k]);
     }
   }
-  return std::min(1.0, boundary_share * longest);
+  return std::min(1.0, to_the_boundary * longest);
 }
 
 void move(double length, const ConeDirection& step, ConeIterate& at) {

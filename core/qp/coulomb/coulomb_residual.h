@@ -26,6 +26,9 @@ struct CoulombScales {
   std::vector<double> row_norm;  ///< |row|; see replace_zero_norms
 };
 
+/// Velocities of a solution up to this share of the largest are zero: neither slip nor opening.
+inline constexpr double still_share = 1e-9;
+
 /// Keeps its memory between measurements.
 class CoulombJudge {
  public:

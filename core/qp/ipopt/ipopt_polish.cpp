@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/qp/residual_meter.h"
+
 namespace wuerfel {
 namespace {
 
@@ -108,17 +110,14 @@ double local_error(const QuadraticProgram& p, const ScaledProgram& form, const Q
 
 /// Cubic in the number of unknowns, so for small programs only.
 constexpr int largest_to_polish = 400;
-/// An error of accelerations, relative to the size of the scaled program, that needs no polishing.
-constexpr double exact_enough = 1e-13;
-
-constexpr double good_residual = 1e-10;
+constexpr double good_residual = QpSettings{}.tolerance;
 
 }  // namespace
 
 void polish(const QuadraticProgram& program, const ScaledProgram& form, QpResult& result) {
   if (program.unknowns() > largest_to_polish || program.rows() > 2 * largest_to_polish) return;
   double error = local_error(program, form, result);
-  if (error <= exact_enough * form.size) return;
+  if (error <= exact_residual * form.size) return;
   for (const double tight : {1e-6, 1e-8}) {
     const QpResult candidate = onto_tight_rows(program, form, result, tight);
     const double candidate_error = local_error(program, form, candidate);

@@ -7,12 +7,8 @@ namespace wuerfel {
 namespace {
 
 constexpr int most_rounds = 8;
-/// Shares of the largest force and of the largest bound below which signs are rounding.
-constexpr double force_noise = 1e-13;
-constexpr double slack_noise = 1e-13;
-constexpr double loaded_share = 1e-9;  ///< of the largest force on a body
-constexpr double exact = 1e-13;        ///< an error that is not worth refining
-
+/// Share of the largest force, or of the largest bound, below which signs are rounding.
+constexpr double sign_noise = 1e-13;
 /// What refining may leave of the residual of the whole program.
 constexpr double refined_residual = 1e-11;
 
@@ -33,12 +29,12 @@ bool ActiveSetMethod::revise(const QuadraticProgram& p,
     if (tight[row] != 0) {
       double& force = result.multiplier[row];
       if (p.is_equality(row) || force >= 0.0) continue;
-      const bool pulls = force < -force_noise * largest_force;
+      const bool pulls = force < -sign_noise * largest_force;
       force = 0.0;
       if (!pulls) continue;
       tight[row] = 0;
       changed = true;
-    } else if (p.slack(row, result.x) < -slack_noise * largest_bound) {
+    } else if (p.slack(row, result.x) < -sign_noise * largest_bound) {
       tight[row] = 1;
       changed = true;
     }
@@ -75,7 +71,7 @@ void ActiveSetMethod::refine(const QuadraticProgram& program, QpResult& result) 
     return std::max(r.residual.worst(), meter_.imbalance(program, r.x, r.multiplier));
   };
   const double before = error(result);
-  if (before <= exact) return;
+  if (before <= exact_residual) return;
   refined_ = result;
   loaded_.assign(program.rows(), 1);
   for (int row = 0; row < program.rows(); ++row) {

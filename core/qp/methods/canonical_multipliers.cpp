@@ -22,9 +22,8 @@ constexpr double good_balance = 1e-11;  ///< forces of least norm are shown if t
 /// most rounds: from 2.3e-6 on they have no part.
 constexpr double projection_weight = 1e12;
 constexpr int projection_rounds = 9;
-constexpr double no_part = 1e-7;   ///< of a vector of numbers in [1, 2]
-constexpr double no_force = 1e-9;  ///< of the largest on a body
-constexpr double no_way = 1e-11;   ///< of a vector of numbers in [0, 1]
+constexpr double no_part = 1e-7;  ///< of a vector of numbers in [1, 2]
+constexpr double no_way = 1e-11;  ///< of a vector of numbers in [0, 1]
 
 /// The rows that may carry force alone, with masses of one kilogram: the multipliers must balance
 /// J' lambda, whatever the masses are, and without their ratios the rows are much more alike.
@@ -157,7 +156,7 @@ std::vector<char> idle_rows(TightProgram& tight, LeastNormMethod& least_norm) {
   QuadraticProgram& program = tight.program;
   std::vector<double> away(least.size(), 0.0);
   for (std::size_t i = 0; i < least.size(); ++i) {
-    const double idle = no_force * least_norm.row_scale()[i];
+    const double idle = loaded_share * least_norm.row_scale()[i];
     if (least[i] <= tight.problem.force_min()[i] + idle) away[i] = 1.0;
     if (least[i] >= tight.problem.force_max()[i] - idle) away[i] = -1.0;
     program.force_min[i] = away[i] > 0.0 ? 0.0 : -unbounded;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/qp/block/quad_vector.h"
+#include "core/qp/interior_step.h"
 
 namespace wuerfel {
 namespace {
@@ -15,7 +16,6 @@ constexpr int slow = 20;
 constexpr double slow_progress = 0.3;  ///< of the products in such a step
 constexpr double useless_affine = 0.1;
 constexpr double slow_proximal = 1e-20;
-constexpr double to_the_boundary = 0.995;
 /// Distances at a cold start, in parts of what a row asks for at most: saves a step or two.
 constexpr double first_gap = 0.1;
 constexpr double warm_share = 1e-3;  ///< warm starts keep this part of a cold start's distances

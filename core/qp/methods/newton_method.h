@@ -23,8 +23,8 @@ namespace wuerfel {
 
 /// When to give up.
 struct NewtonEffort {
-  int most_factorisations = 20;
-  int patience = 3;  ///< outer steps in a row that halve nothing
+  int most_factorisations = 20;  ///< then another method takes over
+  int patience = 3;              ///< outer steps in a row that halve nothing
   /// Part of the rows that the first step may move to another side than guessed.
   double most_changes = 1.0;
 };
