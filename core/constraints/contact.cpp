@@ -55,14 +55,11 @@ double gap_rounding(const Vec2& a, const Vec2& b) {
 
 ContactVelocity contact_velocity(const System& system, const State& state, const Contact& contact) {
   ContactVelocity v;
-  if (system.is_cube(contact.on)) {
-    const BodyState& b = state[contact.on];
-    v.v_k = b.velocity + b.spin * perp(contact.arm_k);
-  }
+  if (system.is_cube(contact.on)) v.v_k = point_velocity(state[contact.on], contact.arm_k);
   if (system.is_cube(contact.from)) {
     const BodyState& a = state[contact.from];
-    v.v_i = a.velocity + a.spin * perp(contact.arm_i);
-    v.v_j = a.velocity + a.spin * perp(contact.arm_j);
+    v.v_i = point_velocity(a, contact.arm_i);
+    v.v_j = point_velocity(a, contact.arm_j);
   }
   return v;
 }

@@ -45,16 +45,6 @@ inline double edge_parameter(const Vec2& p_i, const Vec2& p_j, const Vec2& p_k) 
   return e.dot(p_k - p_i) / e.squaredNorm();
 }
 
-/// Eq. (3) at any position: A' as the sum of three determinants.
-inline double side_area_rate(const Vec2& p_i,
-                             const Vec2& p_j,
-                             const Vec2& p_k,
-                             const Vec2& v_i,
-                             const Vec2& v_j,
-                             const Vec2& v_k) {
-  return det(v_j - v_i, p_k - p_i) + det(p_j - p_i, v_k - v_i);
-}
-
 /// Eq. (6), the form of (3) where A = 0: <v_k, n> - alpha <v_j, n> - (1 - alpha) <v_i, n> >= 0.
 /// The print lacks the term (1 - alpha) <v_i, n>.
 inline SideRow side_velocity_row(const Vec2& p_i, const Vec2& p_j, double alpha) {

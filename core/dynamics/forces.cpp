@@ -6,7 +6,6 @@
 #include <Eigen/QR>
 
 #include "core/dynamics/programs.h"
-#include "core/dynamics/pull_back.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/qp/coulomb/canonical_friction.h"
 #include "core/qp/coulomb/coulomb_solver.h"

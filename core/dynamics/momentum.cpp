@@ -51,9 +51,8 @@ Vec2 arm_of_side(const Contact& c) {
 
 Vec2 relative_velocity(const System& system, const State& state, const Contact& c) {
   Vec2 v = Vec2::Zero();
-  if (system.is_cube(c.on)) v += state[c.on].velocity + state[c.on].spin * perp(c.arm_k);
-  if (system.is_cube(c.from))
-    v -= state[c.from].velocity + state[c.from].spin * perp(arm_of_side(c));
+  if (system.is_cube(c.on)) v += point_velocity(state[c.on], c.arm_k);
+  if (system.is_cube(c.from)) v -= point_velocity(state[c.from], arm_of_side(c));
   return v;
 }
 

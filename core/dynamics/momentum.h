@@ -43,7 +43,9 @@ struct RigidMotion {
   Vec2 velocity = Vec2::Zero();  ///< m/s, of the centre
   double spin = 0.0;             ///< rad/s
 
-  [[nodiscard]] Vec2 at(const Vec2& place) const { return velocity + spin * perp(place - center); }
+  [[nodiscard]] Vec2 at(const Vec2& place) const {
+    return point_velocity(Twist{velocity, spin}, place - center);
+  }
 };
 void turn(const System& system, std::span<const int> cubes, const RigidMotion& more, State& state);
 

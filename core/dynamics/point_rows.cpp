@@ -19,7 +19,7 @@ void ProgramBuilder::add_points(const State& state, int cube, Order order, const
   const CubePoints p = points_of(s, body.size);
   const auto masses = mass_distribution(body.size, body.mass);
   for (std::size_t k = 0; k < masses.size(); ++k) {
-    Vec2 target = goal.linear + goal.angular * perp(p.p[k] - s.position);
+    Vec2 target = point_velocity(goal, p.p[k] - s.position);
     if (order == Order::velocity) target = p.v[k];
     if (order == Order::acceleration) target = system_->gravity;
     program_.add_block(std::array{masses[k].mass, masses[k].mass},

@@ -1,4 +1,4 @@
-/// Chain rule from points to the rigid cube that carries them: v_p = v + omega perp(r),
+/// Rows on points as rows on the rigid cubes that carry them, by the chain rule: v_p = v + omega perp(r),
 /// a_p = a + alpha perp(r) - omega^2 r.
 #pragma once
 
@@ -20,11 +20,6 @@ inline void pull_back(const Vec2& g, const Vec2& r, double omega, RigidRow& row)
   row.g[1] += g.y();
   row.g[2] += g.dot(perp(r));
   row.centripetal -= omega * omega * g.dot(r);
-}
-
-/// Acceleration of the point at arm r of a cube that turns at `omega` and accelerates by `a`.
-inline Vec2 point_acceleration(const Twist& a, double omega, const Vec2& r) {
-  return a.linear + a.angular * perp(r) - omega * omega * r;
 }
 
 }  // namespace wuerfel

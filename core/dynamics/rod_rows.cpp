@@ -44,7 +44,7 @@ HeldPlace held_place(const RodEnd& end, const State& state) {
   if (end.at.isZero(0.0)) return {Vec2::Zero(), s.position, s.velocity};
   const Vec2 axis = make_box(s.position, s.angle, Vec2::Zero()).axis;
   const Vec2 arm = end.at.x() * axis + end.at.y() * perp(axis);
-  return {arm, s.position + arm, s.velocity + s.spin * perp(arm)};
+  return {arm, s.position + arm, point_velocity(s, arm)};
 }
 
 PlaceRodRow rod_row(const Rod& rod, const HeldPlace& i, const HeldPlace& j, Order order) {

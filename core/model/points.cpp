@@ -32,7 +32,7 @@ CubePoints points_of(const BodyState& state, const Vec2& size) {
   CubePoints points;
   for (std::size_t k = 0; k < arms.size(); ++k) {
     points.p[k] = state.position + arms[k];
-    points.v[k] = state.velocity + state.spin * perp(arms[k]);
+    points.v[k] = point_velocity(state, arms[k]);
   }
   return points;
 }

@@ -29,6 +29,15 @@ struct Twist {
   double angular = 0.0;
 };
 
+// The chain rule from a body to its point at arm r from the centre; accelerating, it turns at `omega`.
+inline Vec2 point_velocity(const Twist& v, const Vec2& r) { return v.linear + v.angular * perp(r); }
+inline Vec2 point_velocity(const BodyState& s, const Vec2& r) {
+  return point_velocity(Twist{s.velocity, s.spin}, r);
+}
+inline Vec2 point_acceleration(const Twist& a, double omega, const Vec2& r) {
+  return a.linear + a.angular * perp(r) - omega * omega * r;
+}
+
 /// One per cube, in the order of the scene.
 using State = std::vector<BodyState>;
 

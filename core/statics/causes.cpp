@@ -135,7 +135,7 @@ void add_free(const StillScene& still, std::vector<Cause>& causes) {
 
 /// A motion carried over to another place of the same rigid body.
 Twist carried_to(const Twist& motion, const Vec2& way) {
-  return {motion.linear + motion.angular * perp(way), motion.angular};
+  return {point_velocity(motion, way), motion.angular};
 }
 
 /// The parts of an island's mechanism.

@@ -53,7 +53,7 @@ std::vector<Hold> holds(const StillScene& still,
     const Box box = make_box(at.position, at.angle, still.system.body(cube).size);
     const Twist& a = certificate.motion[cube];
     for (int k = 0; k < Box::corners; ++k) {
-      const Vec2 v = a.linear + a.angular * perp(box.arm[k]);
+      const Vec2 v = point_velocity(a, box.arm[k]);
       for (const Vec2& direction : {Vec2(-still.down()), still.down(), right, Vec2(-right)}) {
         const double taken = -direction.dot(v);
         if (taken > 0.0) found.push_back({cube, box.corner(k), direction, taken});

@@ -75,7 +75,7 @@ void PartMotions::add_of_part(int part,
 
 Twist PartMotions::of_cube(const Motion& motion, int place) const {
   const Vec2 arm = still_->state[island_->cubes[place]].position - motion.center;
-  return {motion.twist.linear + motion.twist.angular * perp(arm), motion.twist.angular};
+  return {point_velocity(motion.twist, arm), motion.twist.angular};
 }
 
 /// Keeps a motion that no row hinders.

@@ -18,7 +18,7 @@ double reach(const StillScene& still, int cube, const Twist& motion) {
   const Box box = make_box(at.position, at.angle, still.system.body(cube).size);
   double most = 0.0;
   for (const Vec2& arm : box.arm)
-    most = std::max(most, (motion.linear + motion.angular * perp(arm)).norm());
+    most = std::max(most, point_velocity(motion, arm).norm());
   return most;
 }
 

@@ -24,9 +24,10 @@ int nearest_to_side(const Box& a, int e, const Box& b) {
 
 RelativeMotion motion_of_corner(const MovingBox& b, int corner, const MovingBox& a) {
   const Vec2 r = b.box.arm[corner];
-  return {(b.box.center - a.box.center) + r, b.velocity - a.velocity + b.spin * perp(r),
-          b.acceleration.linear - a.acceleration.linear + b.acceleration.angular * perp(r)
-              - b.spin * b.spin * r};
+  const Twist velocity{b.velocity - a.velocity, b.spin};
+  const Twist acceleration{b.acceleration.linear - a.acceleration.linear, b.acceleration.angular};
+  return {(b.box.center - a.box.center) + r, point_velocity(velocity, r),
+          point_acceleration(acceleration, b.spin, r)};
 }
 
 /// Bounds of angular acceleration, of its rate, and of the angular velocity in a part of a step.

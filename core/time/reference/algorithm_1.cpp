@@ -1,7 +1,6 @@
 #include "core/time/reference/algorithm_1.h"
 
 #include "core/dynamics/momentum_balance.h"
-#include "core/dynamics/pull_back.h"
 #include "core/model/points.h"
 #include "core/time/policy.h"
 
