@@ -44,10 +44,10 @@ FacingSide separating_side(const System& system, const Way& way, double slow, in
     latest = when;
     meeting = {from, on, side, after};
   };
-  for (int side = 0; side < Box::corners; ++side)
-    look_at(i, j, side);
-  for (int side = 0; side < Box::corners; ++side)
-    look_at(j, i, side);
+  for (const auto& [from, on] : {IndexPair{i, j}, IndexPair{j, i}}) {
+    for (int side = 0; side < Box::corners; ++side)
+      look_at(from, on, side);
+  }
   if (best.separation >= 0.0) return best;
   if (carried.separation >= -slow) {
     carried.separation = side_separation(way.end[carried.from], carried.side, way.end[carried.on]);
