@@ -108,7 +108,8 @@ Check check(const Scene& scene, const MotionSettings& settings) {
   start.state = start_state(scene);
   Bookkeeping impacts;
   if (system.rubs || system.bounces) strike(system, settings, start.state, impacts);
-  ActiveRestrictions(system, settings).find(start, impacts);
+  Workspace work(system, settings);
+  find_restrictions(start, work, impacts);
   const auto accelerations = [&] {
     return forces_at(system, settings, start.state, Detail::accelerations).accelerations;
   };

@@ -12,11 +12,13 @@ struct Workspace {
             const MotionSettings& settings,
             const ProgramTolerances& tolerances = {})
       : system(&of),
+        formulation(settings.formulation),
         skips(settings.skips),
         dynamics(of, settings, tolerances),
         friction(of, settings) {}
 
   const System* system;
+  Formulation formulation;
   Skips skips;
   IslandDynamics dynamics;
   FrictionDynamics friction;

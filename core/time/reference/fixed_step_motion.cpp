@@ -8,8 +8,10 @@
 #include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
 #include "core/qp/qp_solver.h"
-#include "core/time/policy.h"
 #include "core/time/promises.h"
+#include "core/time/reference/active_restrictions.h"
+#include "core/time/reference/algorithm_1.h"
+#include "core/time/reference/moreau.h"
 #include "core/time/rod_events.h"
 
 namespace wuerfel {
@@ -42,7 +44,7 @@ FixedStepMotion::FixedStepMotion(const System& system,
                                  const RestartPoint& point)
     : system_(&system),
       settings_(settings),
-      method_(make_method()),
+      work_(system, settings),
       scales_(scales_of(system, start)),
       energy_start_(energy(system, start)),
       in_motion_(kinetic_energy(system, start) + scales_.weight * scales_.length),
@@ -59,21 +61,21 @@ void FixedStepMotion::begin(const State& state) {
   grid_ = {};
   grid_.t = static_cast<double>(whole_steps_) * settings_.step;
   grid_.state = state;
-  std::visit([&](auto& method) { method.begin(grid_, book_); }, method_);
+  find_restrictions(grid_, work_, book_);
 }
 
 void FixedStepMotion::restart() {
-  work_ = 0;
+  stepped_ = 0;
   if (listener())
     listener()({grid_.t, grid_.state, book_, hash_, momentum_, 0.0, {}, {}, whole_steps_});
-  method_ = make_method();
+  work_ = Workspace(*system_, settings_);
   begin(State(grid_.state));
 }
 
-FixedStepMotion::Method FixedStepMotion::make_method() const {
-  if (policy_of(settings_).method == MotionPolicy::Method::moreau)
-    return Moreau(*system_, settings_);
-  return Algorithm1(*system_, settings_);
+/// One step of the chosen method.
+void FixedStepMotion::take(GridPoint& point, double dt, Workspace& work, Bookkeeping& book) const {
+  if (policy_.method == MotionPolicy::Method::moreau) return step_by_moreau(point, dt, work, book);
+  step_by_algorithm_1(point, dt, policy_.as_printed, work, book);
 }
 
 void FixedStepMotion::advance_to(double t) {
@@ -82,7 +84,7 @@ void FixedStepMotion::advance_to(double t) {
     beat();
     step();
     grid_.t = static_cast<double>(++whole_steps_) * settings_.step;
-    if (work_ >= work_between_restarts) restart();
+    if (stepped_ >= work_between_restarts) restart();
   }
   time_ = t;
 }
@@ -94,23 +96,23 @@ void FixedStepMotion::step() {
     book_.cost.skipped_rest += static_cast<long>(grid_.islands.size());
     return;
   }
-  work_ += system_->cubes;
+  stepped_ += system_->cubes;
   if (!(kinetic_energy(*system_, grid_.state) <= diverged_times * in_motion_)) fail();
   const State before = grid_.state;
   grid_.push = {};
-  std::visit([&](auto& method) { method.step(grid_, settings_.step, book_); }, method_);
+  take(grid_, settings_.step, work_, book_);
   book_.unexplained += unexplained(*system_, before, grid_.state, settings_.step, grid_.push);
   momentum_.include(momentum_scale(*system_, grid_.state, scales_.speed));
   note_unexplained(momentum_, book_);
   // Euler's steps as printed move places by the old velocities, which turns momenta without a bound.
-  if (!policy_of(settings_).as_printed) {
+  if (!policy_.as_printed) {
     book_.audit.momentum_budget = promised_momentum_of_first_order;
     const double t = grid_.t + settings_.step;
     book_.audit.settled_budget = promised_settled_of_first_order * (1.0 + t / scales_.time);
   }
   hash_.add(grid_.t, grid_.state);
   if (!grid_.at_rest()) note_rods();
-  if (policy_of(settings_).method == MotionPolicy::Method::moreau) note_energy();
+  if (policy_.method == MotionPolicy::Method::moreau) note_energy();
 }
 
 void FixedStepMotion::fail() const {
@@ -134,11 +136,11 @@ const State& FixedStepMotion::state() {
   const double rest = time_ - grid_.t;
   if (rest <= same_time * settings_.step || grid_.at_rest()) return grid_.state;
   if (between_.empty()) {
-    // A shorter step aside, by a method that remembers nothing: looking does not change the motion.
+    // A shorter step aside, where nothing is remembered: looking does not change the motion.
     GridPoint point = grid_;
-    Method method = make_method();
+    Workspace work(*system_, settings_);
     Bookkeeping aside;
-    std::visit([&](auto& m) { m.step(point, rest, aside); }, method);
+    take(point, rest, work, aside);
     between_ = std::move(point.state);
   }
   return between_;

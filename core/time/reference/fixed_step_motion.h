@@ -1,13 +1,12 @@
 /// Motion in steps of equal length, all cubes at once: Algorithm 1 of the paper and its relatives.
 #pragma once
 
-#include <variant>
-
 #include "core/dynamics/momentum_balance.h"
 #include "core/model/scales.h"
 #include "core/time/motion.h"
-#include "core/time/reference/algorithm_1.h"
-#include "core/time/reference/moreau.h"
+#include "core/time/policy.h"
+#include "core/time/reference/grid_point.h"
+#include "core/time/workspace.h"
 
 namespace wuerfel {
 
@@ -29,8 +28,7 @@ class FixedStepMotion final : public Motion {
   [[nodiscard]] StateHash hash() const override { return hash_; }
 
  private:
-  using Method = std::variant<Algorithm1, Moreau>;
-  [[nodiscard]] Method make_method() const;
+  void take(GridPoint& point, double dt, Workspace& work, Bookkeeping& book) const;
   void step();
   void restart();
   void begin(const State& state);
@@ -40,7 +38,8 @@ class FixedStepMotion final : public Motion {
 
   const System* system_;
   MotionSettings settings_;
-  Method method_;
+  MotionPolicy policy_ = policy_of(settings_);
+  Workspace work_;
   GridPoint grid_;
   Scales scales_;
   double energy_start_ = 0.0;  ///< J
@@ -50,7 +49,7 @@ class FixedStepMotion final : public Motion {
   State between_;  ///< at `time_`, where that is no grid time; empty until it is asked for
   Bookkeeping book_;
   long whole_steps_ = 0;
-  long work_ = 0;      ///< steps times cubes since the last restart
+  long stepped_ = 0;   ///< steps times cubes since the last restart
   double time_ = 0.0;  ///< s, where the motion is looked at
 };
 

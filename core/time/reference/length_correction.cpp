@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/dynamics/momentum_balance.h"
+#include "core/dynamics/projection.h"
 
 namespace wuerfel {
 namespace {
@@ -16,36 +17,36 @@ bool contains(const std::vector<Contact>& contacts, const Contact& c) {
   return std::ranges::any_of(contacts, [&](const Contact& d) { return d.id() == c.id(); });
 }
 
-}  // namespace
-
-LengthCorrection::LengthCorrection(const System& system, const MotionSettings& settings)
-    : system_(&system), dynamics_(system, settings) {}
-
-Push LengthCorrection::correct(State& state,
-                               const std::vector<Contact>& pressed,
-                               Bookkeeping& book) {
-  const State before = state;
-  Projection placed = place(std::move(state), pressed);
-  keep_book(placed.solves, book);
+/// Contacts at a state, closed ones among them.
+std::vector<Restricted> restricted(const State& state,
+                                   std::vector<Contact>& closed,
+                                   double depth,
+                                   Workspace& work) {
+  const System& system = *work.system;
+  std::vector<Contact> contacts;
   std::vector<Island> islands;
-  find_islands(*system_, pressed, islands);
+  work.finder.find(system, state, contacts);
+  // A side that was pressed stays closed, unless the corner has left its end: by more than what is pushed out moves along it,
+  // else a corner on the seam of two decks ends open over both.
+  std::erase_if(closed, [&](Contact& c) {
+    c = at_poses(system, work.finder.boxes(), c);
+    return std::max(-c.alpha, c.alpha - 1.0) * c.length > depth;
+  });
+  for (const Contact& c : closed) {
+    if (!contains(contacts, c)) contacts.push_back(c);
+  }
+  find_islands(system, contacts, islands);
   std::vector<Restricted> parts;
   for (Island& island : islands) {
-    std::vector<SideUse> use(island.contacts.size(), SideUse::equality);
+    std::vector<SideUse> use;
+    for (const Contact& c : island.contacts)
+      use.push_back(contains(closed, c) ? SideUse::equality : SideUse::inequality);
     parts.push_back({std::move(island), std::move(use)});
   }
-  Projection slowed =
-      project_velocities(*system_, std::move(placed.state), parts, Contradiction::take, dynamics_);
-  keep_book(slowed.solves, book);
-  state = std::move(slowed.state);
-  const bool fixed =
-      touches_fixed(*system_, pressed) || std::ranges::any_of(system_->rods, is_held);
-  Push settled = fixed ? unexplained(*system_, before, state, 0.0, {}) : Push{};
-  book.settled += settled;
-  return settled;
+  return parts;
 }
 
-Projection LengthCorrection::place(State state, std::vector<Contact> closed) {
+Projection onto_lengths(State state, std::vector<Contact> closed, Workspace& work) {
   std::size_t opened = 0;
   std::size_t pushing = 0;
   double depth = 0.0;
@@ -61,40 +62,40 @@ Projection LengthCorrection::place(State state, std::vector<Contact> closed) {
       depth = std::max(depth, -so_far.pushing[pushing].gap);
     }
     if (so_far.rounds >= closing_corrections) closed.clear();
-    return restricted(so_far.state, closed, depth);
+    return restricted(so_far.state, closed, depth, work);
   };
   const ProjectionPolicy policy{.overlap = closed_gap,
                                 .gap = closed_gap,
                                 .rounds = most_corrections,
                                 .contradiction = Contradiction::open};
-  return project_places(*system_, std::move(state), policy, find, dynamics_);
+  return project_places(*work.system, std::move(state), policy, find, work.dynamics);
 }
 
-/// Contacts at a state, closed ones among them.
-std::vector<Restricted> LengthCorrection::restricted(const State& state,
-                                                     std::vector<Contact>& closed,
-                                                     double depth) {
-  std::vector<Contact> contacts;
+}  // namespace
+
+Push correct_lengths(State& state,
+                     const std::vector<Contact>& pressed,
+                     Workspace& work,
+                     Bookkeeping& book) {
+  const System& system = *work.system;
+  const State before = state;
+  Projection placed = onto_lengths(std::move(state), pressed, work);
+  keep_book(placed.solves, book);
   std::vector<Island> islands;
-  finder_.find(*system_, state, contacts);
-  // A side that was pressed stays closed, unless the corner has left its end: by more than what is pushed out moves along it,
-  // else a corner on the seam of two decks ends open over both.
-  std::erase_if(closed, [&](Contact& c) {
-    c = at_poses(*system_, finder_.boxes(), c);
-    return std::max(-c.alpha, c.alpha - 1.0) * c.length > depth;
-  });
-  for (const Contact& c : closed) {
-    if (!contains(contacts, c)) contacts.push_back(c);
-  }
-  find_islands(*system_, contacts, islands);
+  find_islands(system, pressed, islands);
   std::vector<Restricted> parts;
   for (Island& island : islands) {
-    std::vector<SideUse> use;
-    for (const Contact& c : island.contacts)
-      use.push_back(contains(closed, c) ? SideUse::equality : SideUse::inequality);
+    std::vector<SideUse> use(island.contacts.size(), SideUse::equality);
     parts.push_back({std::move(island), std::move(use)});
   }
-  return parts;
+  Projection slowed = project_velocities(system, std::move(placed.state), parts,
+                                         Contradiction::take, work.dynamics);
+  keep_book(slowed.solves, book);
+  state = std::move(slowed.state);
+  const bool fixed = touches_fixed(system, pressed) || std::ranges::any_of(system.rods, is_held);
+  Push settled = fixed ? unexplained(system, before, state, 0.0, {}) : Push{};
+  book.settled += settled;
+  return settled;
 }
 
 }  // namespace wuerfel

@@ -4,31 +4,19 @@
 
 #include <vector>
 
-#include "core/dynamics/projection.h"
 #include "core/dynamics/push.h"
 #include "core/time/bookkeeping.h"
+#include "core/time/workspace.h"
 
 namespace wuerfel {
 
-class LengthCorrection {
- public:
-  LengthCorrection(const System& system, const MotionSettings& settings);
-
-  /// Moves the cubes by the least that removes overlap and keeps the contacts in `pressed` closed;
-  /// then changes velocities by the least that makes the gap rates of these zero. What fixed bodies
-  /// gave the cubes by that, which is no impulse of a program, is settled by them; nothing where none
-  /// was pressed and no rod is held.
-  Push correct(State& state, const std::vector<Contact>& pressed, Bookkeeping& book);
-
- private:
-  Projection place(State state, std::vector<Contact> closed);
-  std::vector<Restricted> restricted(const State& state,
-                                     std::vector<Contact>& closed,
-                                     double depth);
-
-  const System* system_;
-  IslandDynamics dynamics_;
-  ContactFinder finder_;
-};
+/// Moves the cubes by the least that removes overlap and keeps the contacts in `pressed` closed;
+/// then changes velocities by the least that makes the gap rates of these zero. What fixed bodies
+/// gave the cubes by that, which is no impulse of a program, is settled by them; nothing where none
+/// was pressed and no rod is held.
+Push correct_lengths(State& state,
+                     const std::vector<Contact>& pressed,
+                     Workspace& work,
+                     Bookkeeping& book);
 
 }  // namespace wuerfel

@@ -4,9 +4,10 @@
 
 #include "core/dynamics/forces_at.h"
 #include "core/dynamics/momentum_balance.h"
+#include "core/time/reference/active_restrictions.h"
+#include "core/time/reference/length_correction.h"
 
 namespace wuerfel {
-
 namespace {
 
 /// What fixed bodies do to an island whose rest was certified earlier: they carry its weight, N and N m.
@@ -20,15 +21,20 @@ Push weight_carried(const System& system, const State& state, const Island& isla
   return sum;
 }
 
+/// Accelerations say whether what stands still rests.
+void certify_rest(GridPoint& point, Workspace& work, Bookkeeping& book) {
+  if (std::ranges::all_of(point.islands,
+                          [&](const Island& i) { return stands_still(i, point.state); }))
+    accelerate(point, work, book);
+}
+
 }  // namespace
 
-Moreau::Moreau(const System& system, const MotionSettings& settings)
-    : system_(&system), restrictions_(system, settings), correction_(system, settings) {}
-
-void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
-  certify_rest(point, book);
+void step_by_moreau(GridPoint& point, double dt, Workspace& work, Bookkeeping& book) {
+  const System& system = *work.system;
+  certify_rest(point, work, book);
   for (std::size_t i = 0; i < point.state.size(); ++i) {
-    if (point.resting[i] == 0) point.state[i].velocity += dt * system_->gravity;
+    if (point.resting[i] == 0) point.state[i].velocity += dt * system.gravity;
   }
   std::vector<Contact> pressed;
   for (std::size_t m = 0; m < point.islands.size(); ++m) {
@@ -37,13 +43,13 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
       const bool solved =
           m < point.solutions.size() && point.solutions[m].forces.size() == island.contacts.size();
       point.push += dt
-                    * (solved ? push_of(*system_, point.state, island, point.solutions[m])
-                              : weight_carried(*system_, point.state, island));
+                    * (solved ? push_of(system, point.state, island, point.solutions[m])
+                              : weight_carried(system, point.state, island));
       continue;
     }
-    const IslandSolution solution = restrictions_.dynamics().impact(point.state, island);
+    const IslandSolution solution = work.dynamics.impact(point.state, island);
     keep_book(solution, book);
-    point.push += push_of(*system_, point.state, island, solution);
+    point.push += push_of(system, point.state, island, solution);
     set_velocities(island, solution.twists, point.state);
     add_pressed(island, solution, pressed);
   }
@@ -52,16 +58,9 @@ void Moreau::step(GridPoint& point, double dt, Bookkeeping& book) {
     point.state[i].position += dt * point.state[i].velocity;
     point.state[i].angle += dt * point.state[i].spin;
   }
-  point.push += correction_.correct(point.state, pressed, book);
+  point.push += correct_lengths(point.state, pressed, work, book);
   point.t += dt;
-  restrictions_.find(point, book);
-}
-
-/// Accelerations say whether what stands still rests.
-void Moreau::certify_rest(GridPoint& point, Bookkeeping& book) {
-  if (std::ranges::all_of(point.islands,
-                          [&](const Island& i) { return stands_still(i, point.state); }))
-    restrictions_.accelerate(point, book);
+  find_restrictions(point, work, book);
 }
 
 }  // namespace wuerfel

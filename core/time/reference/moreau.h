@@ -3,26 +3,13 @@
 /// accelerations.
 #pragma once
 
-#include "core/time/reference/active_restrictions.h"
-#include "core/time/reference/length_correction.h"
+#include "core/time/bookkeeping.h"
+#include "core/time/reference/grid_point.h"
+#include "core/time/workspace.h"
 
 namespace wuerfel {
 
-class Moreau {
- public:
-  Moreau(const System& system, const MotionSettings& settings);
-
-  /// Makes a state the first grid point.
-  void begin(GridPoint& point, Bookkeeping& book) { restrictions_.find(point, book); }
-  /// One time step of `dt` s from a grid point to the next.
-  void step(GridPoint& point, double dt, Bookkeeping& book);
-
- private:
-  void certify_rest(GridPoint& point, Bookkeeping& book);
-
-  const System* system_;
-  ActiveRestrictions restrictions_;
-  LengthCorrection correction_;
-};
+/// One time step of `dt` s from a grid point to the next.
+void step_by_moreau(GridPoint& point, double dt, Workspace& work, Bookkeeping& book);
 
 }  // namespace wuerfel

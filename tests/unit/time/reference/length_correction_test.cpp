@@ -19,10 +19,10 @@ std::vector<Contact> contacts_of(const Mechanism& m, double near) {
 TEST(LengthCorrection, ClosesWhatWasPressedAndStopsItsGap) {
   Mechanism m(on_floor({cube("a", {0.0, 0.5 + 1e-4})}));
   m.state[0].velocity = {0.5, 0.2};
-  LengthCorrection correction(m.system, {});
+  Workspace work(m.system, {});
   Bookkeeping book;
   State state = m.state;
-  const Push given = correction.correct(state, contacts_of(m, 1e-3), book);
+  const Push given = correct_lengths(state, contacts_of(m, 1e-3), work, book);
   EXPECT_NEAR(given.linear.y(), -0.2, 1e-14);  // by the floor
   EXPECT_EQ(book.settled.linear, given.linear);
   EXPECT_NEAR(state[0].position.y(), 0.5, 1e-11);
@@ -33,20 +33,20 @@ TEST(LengthCorrection, ClosesWhatWasPressedAndStopsItsGap) {
 
 TEST(LengthCorrection, WhatWasNotPressedMayStayOpen) {
   const Mechanism m(on_floor({cube("a", {0.0, 0.5 + 1e-4})}));
-  LengthCorrection correction(m.system, {});
+  Workspace work(m.system, {});
   Bookkeeping book;
   State state = m.state;
-  correction.correct(state, {}, book);
+  correct_lengths(state, {}, work, book);
   EXPECT_EQ(state[0].position.y(), m.state[0].position.y());
   EXPECT_EQ(book.cost.qp_solves, 0);
 }
 
 TEST(LengthCorrection, WhatIsPushedOutOfAnOverlapEndsClosed) {
   const Mechanism m(on_floor({sized_cube("a", {0.0, 0.69}, Vec2::Ones(), 0.6)}));
-  LengthCorrection correction(m.system, {});
+  Workspace work(m.system, {});
   Bookkeeping book;
   State state = m.state;
-  correction.correct(state, {}, book);
+  correct_lengths(state, {}, work, book);
   ContactFinder finder;
   std::vector<Contact> contacts;
   finder.find(m.system, state, contacts);
