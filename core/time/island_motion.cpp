@@ -98,8 +98,8 @@ const Bookkeeping& IslandMotion::book() {
   audit.friction_loss = lost.friction;
   book.cost = computed_.cost;
   book.breaches = computed_.breaches;
-  const bool stepped = policy_of(settings_).only_steps || book.cost.hand_overs > 0 || system_->rubs
-                       || system_->bounces;
+  const bool stepped =
+      policy_.only_steps || book.cost.hand_overs > 0 || system_->rubs || system_->bounces;
   audit.drift_budget =
       stepped ? drift_.of_steps(lost.impacts + lost.friction) : drift_.of_events(time_);
   audit.momentum_budget = stepped ? promised_momentum_of_steps : promised_momentum;
@@ -222,7 +222,7 @@ void IslandMotion::make_group(const State& state, const std::vector<int>& cubes,
   group.cubes = cubes;
   const bool whole = static_cast<int>(cubes.size()) == system_->cubes;
   if (!whole) group.system = std::make_unique<System>(part_of(*system_, cubes));
-  group.track = std::make_unique<Track>(whole ? *system_ : *group.system, settings_);
+  group.track = std::make_unique<Track>(whole ? *system_ : *group.system, settings_, policy_);
   State part;
   std::vector<char> rests;
   Track::Stepping stepping;

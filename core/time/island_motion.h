@@ -58,6 +58,7 @@ class IslandMotion final : public Motion {
 
   const System* system_;
   MotionSettings settings_;
+  MotionPolicy policy_ = policy_of(settings_);
   Scales scales_;
   PromisedDrift drift_;
   double energy_start_ = 0.0;  ///< J

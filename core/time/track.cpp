@@ -27,16 +27,16 @@ constexpr int looks_per_piece = 4;
 
 }  // namespace
 
-Track::Track(const System& system, const MotionSettings& settings)
+Track::Track(const System& system, const MotionSettings& settings, const MotionPolicy& policy)
     : system_(&system),
       settings_(settings),
-      policy_(policy_of(settings)),
+      policy_(policy),
       only_steps_((system.rubs || system.bounces) && system.cubes > most_rubbing_cubes),
       events_(system, settings),
       crowding_(system.cubes, policy_.only_events) {}
 
 void Track::begin_steps(const State& state, double t) {
-  if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_);
+  if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_, policy_);
   const bool chosen = policy_.step > 0.0;
   steps_->begin(state, chosen ? policy_.step : first_step * crowding_.frame(),
                 chosen ? policy_.step : longest_step * crowding_.frame());

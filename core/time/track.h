@@ -25,7 +25,7 @@ namespace wuerfel {
 ///     found at rest.
 class Track {
  public:
-  Track(const System& system, const MotionSettings& settings);
+  Track(const System& system, const MotionSettings& settings, const MotionPolicy& policy);
 
   using Stepping = wuerfel::Stepping;
 

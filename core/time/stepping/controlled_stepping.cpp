@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/time/policy.h"
 #include "core/time/promises.h"
 
 namespace wuerfel {
@@ -28,11 +27,13 @@ constexpr double same_time = 1e-7;
 
 }  // namespace
 
-ControlledStepping::ControlledStepping(const System& system, const MotionSettings& settings)
+ControlledStepping::ControlledStepping(const System& system,
+                                       const MotionSettings& settings,
+                                       const MotionPolicy& policy)
     : system_(&system),
-      stepper_(system, settings, policy_of(settings).sway),
-      allowed_error_(policy_of(settings).allowed_error),
-      sway_(system.rods.empty() ? 0.0 : policy_of(settings).sway) {}
+      stepper_(system, settings, policy.sway),
+      allowed_error_(policy.allowed_error),
+      sway_(system.rods.empty() ? 0.0 : policy.sway) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);

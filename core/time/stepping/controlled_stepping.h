@@ -1,13 +1,16 @@
 /// Time stepping with steps as long as their error, their energy and their overlap allow.
 #pragma once
 
+#include "core/time/policy.h"
 #include "core/time/stepping/rattle_stepper.h"
 
 namespace wuerfel {
 
 class ControlledStepping {
  public:
-  ControlledStepping(const System& system, const MotionSettings& settings);
+  ControlledStepping(const System& system,
+                     const MotionSettings& settings,
+                     const MotionPolicy& policy);
 
   /// Goes on from `state` with a first step of `first` s; none is longer than `longest`.
   void begin(const State& state, double first, double longest);

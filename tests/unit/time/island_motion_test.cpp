@@ -82,7 +82,7 @@ TEST(IslandMotion, WhatRestsInStepsDoesNotBounce) {
 
 TEST(Track, KnowsItsStatesUntilTheyAreForgotten) {
   const Mechanism m(on_floor({cube("a", {0.0, 3.0})}));
-  Track track(m.system, {});
+  Track track(m.system, {}, policy_of({}));
   track.start(m.state, 0.0, 1e-9, {0}, {});
   while (track.clock() < 0.5)
     track.advance(0.5);
@@ -98,7 +98,7 @@ TEST(Track, KnowsItsStatesUntilTheyAreForgotten) {
 
 TEST(Track, RestEndsTheClock) {
   const Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
-  Track track(m.system, {});
+  Track track(m.system, {}, policy_of({}));
   track.start(m.state, 0.0, 1e-9, {0}, {});
   EXPECT_TRUE(track.at_rest());
   track.advance(1.0);
@@ -111,7 +111,7 @@ TEST(Track, StepsAllTheTimeWhereThatIsTheChoice) {
   MotionSettings settings;
   settings.integrator = Integrator::rattle;
   settings.step = 0.02;
-  Track track(m.system, settings);
+  Track track(m.system, settings, policy_of(settings));
   track.start(m.state, 0.0, 1e-9, {0}, {});
   EXPECT_GT(track.stepping().until, 1e300);
   track.advance(1.0);

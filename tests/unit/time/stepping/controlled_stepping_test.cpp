@@ -18,7 +18,7 @@ Scene flying() {
 
 TEST(ControlledStepping, StepsGrowWhereTheyAreEasyAndEndWhereTheyShould) {
   const Mechanism m(flying());
-  ControlledStepping stepping(m.system, {});
+  ControlledStepping stepping(m.system, {}, policy_of({}));
   stepping.begin(m.state, 0.001, 0.01);
   Bookkeeping book;
   double t = 0.0;
