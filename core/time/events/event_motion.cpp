@@ -67,13 +67,6 @@ void note_rods(const System& system, const State& state, Bookkeeping& book) {
   worst = std::max(worst, largest_rod_error(system, state));
 }
 
-/// Books a step: `forced` where there were events without end at one instant.
-void note_step(const SmoothStep& step, bool forced, Bookkeeping& book) {
-  ++book.cost.steps;
-  if (forced) ++book.audit.unresolved;
-  if (!step.followed) ++book.audit.wedged;
-}
-
 /// What closing gaps may add to the energy, as a share of the weight times the smallest side.
 constexpr double lifted_share = 1e-9;
 
@@ -98,7 +91,7 @@ void EventMotion::start(const State& state,
   phase_.forget_step();
   FormerPhase before;
   before.modes.resting = std::move(resting);
-  begin_phase(state, before, limits, book);
+  begin_phase(state, happen(state, t, before, limits, work_), book);
 }
 
 bool EventMotion::at_rest() const {
@@ -112,37 +105,57 @@ double EventMotion::overlap() {
 }
 
 // The heart of the default motion: a smooth phase is stepped; where an event ends it, the step is
-// cut there, the event happens, and another phase begins.
+// cut there, impacts happen, it is found which contacts stay closed, and another phase begins.
 void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
-  if (at_rest()) {
-    pieces.push_back({MotionPiece::Kind::rest, clock_, 0.0, state(), {}, {}, {}});
-    clock_ = std::numeric_limits<double>::infinity();
-    return;
-  }
+  if (at_rest()) return rest_for_ever(pieces);
   const SmoothStep& step = phase_.step(limit - clock_);
-  modes_.wedged = modes_.wedged || !step.followed;
-  // Events without end at one instant: time is made to pass, and that is reported.
-  const bool forced = instant_events_ > most_instant_events;
-  const std::optional<FirstEvent> event = forced ? std::nullopt : first_event(step, book);
-  if (forced) phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
-  if (event) reach(*event);
-  note_step(step, forced, book);
-  note_momenta(step, book);
-  note_rods(*system_, step.end, book);
+  const std::optional<FirstEvent> event = cut_at_event(step, book);
+  note_step(step, book);
   pieces.push_back(last_piece());
-  if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
   clock_ += step.elapsed;
-  if (event || phase_.rods_contradict()) {
-    const bool instant = step.elapsed <= instant_share * phase_.scales().time;
-    instant_events_ = instant ? instant_events_ + 1 : 0;
-    begin_phase(State(step.end), ended_phase(), {}, book);
+  const bool ends = event || phase_.rods_contradict();
+  const bool instant = step.elapsed <= instant_share * phase_.scales().time;
+  instant_events_ = ends && instant ? instant_events_ + 1 : 0;
+  if (ends) {
+    const State end = step.end;
+    begin_phase(end, happen(end, clock_, ended_phase(), {}, work_), book);
     if (!series_.goes_on()) ++events_;
   } else {
-    instant_events_ = 0;
     phase_.go_on();
     geometry_.passed(state());
     forces_.passed(phase_.loads());
   }
+}
+
+void EventMotion::rest_for_ever(std::deque<MotionPiece>& pieces) {
+  pieces.push_back({MotionPiece::Kind::rest, clock_, 0.0, state(), {}, {}, {}});
+  clock_ = std::numeric_limits<double>::infinity();
+}
+
+/// Cuts the step at the first event within it. Of events without end at one instant there is none: time is made to pass,
+/// and that is reported.
+std::optional<EventMotion::FirstEvent> EventMotion::cut_at_event(const SmoothStep& step,
+                                                                 Bookkeeping& book) {
+  if (instant_events_ > most_instant_events) {
+    phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
+    ++book.audit.unresolved;
+    return std::nullopt;
+  }
+  const std::optional<FirstEvent> event = first_event(step, book);
+  if (event) reach(*event);
+  return event;
+}
+
+/// Books a step that ends where it ends.
+void EventMotion::note_step(const SmoothStep& step, Bookkeeping& book) {
+  ++book.cost.steps;
+  if (!step.followed) {
+    modes_.wedged = true;
+    ++book.audit.wedged;
+  }
+  note_momenta(step, book);
+  note_rods(*system_, step.end, book);
+  if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
 }
 
 /// Books what the momenta changed by in a step, and what putting its end on fixed bodies did.
@@ -154,13 +167,8 @@ void EventMotion::note_momenta(const SmoothStep& step, Bookkeeping& book) const 
     book.settled += unexplained(*system_, step.flown, step.end, 0.0, {}, modes_.resting);
 }
 
-/// What the state at the clock brings, and the phase that follows.
-void EventMotion::begin_phase(const State& state,
-                              const FormerPhase& before,
-                              const ContactLimits& limits,
-                              Bookkeeping& book) {
-  const double energy_before = energy(*system_, state);
-  Instant now = happen(state, clock_, before, limits, work_);
+/// Books what the clock's instant has brought to a state, and begins the phase that follows.
+void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book) {
   const auto stays = [&](const BounceSeries::NamePair& names) {
     return touch_each_other(*system_, now.modes.closed.touches, names);
   };
@@ -177,7 +185,7 @@ void EventMotion::begin_phase(const State& state,
   book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
   // closed then, some 1e-10 of a side, may lift cubes as well.
-  const double loss = energy_before - energy(*system_, phase_.state());
+  const double loss = energy(*system_, state) - energy(*system_, phase_.state());
   const double lifted = lifted_share * phase_.scales().weight * phase_.scales().length;
   if (loss > -lifted) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);

@@ -45,10 +45,10 @@ class EventMotion {
  private:
   using FirstEvent = std::variant<GeometricEvents::First, ForceEvents::First>;
 
-  void begin_phase(const State& state,
-                   const FormerPhase& before,
-                   const ContactLimits& limits,
-                   Bookkeeping& book);
+  void begin_phase(const State& state, Instant now, Bookkeeping& book);
+  void rest_for_ever(std::deque<MotionPiece>& pieces);
+  std::optional<FirstEvent> cut_at_event(const SmoothStep& step, Bookkeeping& book);
+  void note_step(const SmoothStep& step, Bookkeeping& book);
   void note_momenta(const SmoothStep& step, Bookkeeping& book) const;
   std::optional<FirstEvent> first_event(const SmoothStep& step, Bookkeeping& book);
   void reach(const FirstEvent& event);
