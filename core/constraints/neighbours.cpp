@@ -11,21 +11,6 @@ int box_count(const System& system) {
   return count;
 }
 
-BoundingBox posed_bounds(const Box& box, double margin) {
-  const Vec2 extent = box.extent() + Vec2::Constant(margin);
-  return {box.center - extent, box.center + extent};
-}
-
-BoundingBox swept_bounds(const Box& start, const Box& end, double margin) {
-  const BoundingBox a = posed_bounds(start, margin);
-  const BoundingBox b = posed_bounds(end, margin);
-  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-}
-
-BoundingBox predicted_bounds(const Vec2& start, const Vec2& end, const Vec2& reach) {
-  return {start.cwiseMin(end) - reach, start.cwiseMax(end) + reach};
-}
-
 std::span<const IndexPair> Neighbours::pairs_with_cubes(const System& system) {
   const std::vector<IndexPair>& pairs = broad_phase_.overlapping_pairs(bounds_);
   const auto end = std::ranges::lower_bound(pairs, IndexPair{system.cubes, 0});

@@ -13,13 +13,6 @@ namespace wuerfel {
 /// Number of the bodies that are boxes: cubes first, then fixed ones.
 int box_count(const System& system);
 
-/// Bounds of a box where it stands, with a margin (m) around them.
-BoundingBox posed_bounds(const Box& box, double margin);
-/// Bounds of both ends of a way that is no longer than its chord, with a margin (m).
-BoundingBox swept_bounds(const Box& start, const Box& end, double margin);
-/// Bounds of all places within `reach` (m) of the chord from `start` to `end`.
-BoundingBox predicted_bounds(const Vec2& start, const Vec2& end, const Vec2& reach);
-
 /// Keeps its memory, nothing that changes an answer, from call to call.
 class Neighbours {
  public:

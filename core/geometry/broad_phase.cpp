@@ -129,15 +129,4 @@ const std::vector<IndexPair>& BroadPhase::overlapping_pairs(std::span<const Boun
   return pairs_;
 }
 
-std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const BoundingBox> bounds) {
-  std::vector<IndexPair> pairs;
-  const int n = static_cast<int>(bounds.size());
-  for (int i = 0; i < n; ++i) {
-    for (int j = i + 1; j < n; ++j) {
-      if (at(bounds, i).overlaps(at(bounds, j))) pairs.emplace_back(i, j);
-    }
-  }
-  return pairs;
-}
-
 }  // namespace wuerfel

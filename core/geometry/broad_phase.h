@@ -5,19 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/vec2.h"
+#include "core/geometry/bounds.h"
 
 namespace wuerfel {
-
-/// Axis-aligned bounds.
-struct BoundingBox {
-  Vec2 low = Vec2::Zero();   ///< m
-  Vec2 high = Vec2::Zero();  ///< m
-  [[nodiscard]] bool overlaps(const BoundingBox& other) const {
-    return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y()
-           && other.low.y() <= high.y();
-  }
-};
 
 using IndexPair = std::pair<int, int>;
 
@@ -51,8 +41,5 @@ class BroadPhase {
   std::vector<int> place_;
   std::vector<IndexPair> pairs_;
 };
-
-/// The oracle: every pair looked at.
-std::vector<IndexPair> overlapping_pairs_brute_force(std::span<const BoundingBox> bounds);
 
 }  // namespace wuerfel

@@ -92,8 +92,7 @@ void set_covers(System& system) {
   int boxes = cubes;
   for (; boxes < system.count() && system.bodies[boxes].kind == BodyKind::fixed; ++boxes) {
     const Box& box = system.bodies[boxes].box;
-    const Vec2 extent = box.extent() + Vec2::Constant(touching_tolerance * box.smaller_side());
-    bounds.push_back({box.center - extent, box.center + extent});
+    bounds.push_back(posed_bounds(box, touching_tolerance * box.smaller_side()));
   }
   std::vector<Cover> covers(bounds.size());
   BroadPhase broad_phase;

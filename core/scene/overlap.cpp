@@ -9,8 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "core/geometry/box.h"
-#include "core/geometry/broad_phase.h"
+#include "core/geometry/bounds.h"
 
 namespace wuerfel {
 namespace {
@@ -24,11 +23,7 @@ struct SweptBox {
 SweptBox swept_box(const Vec2& position, double angle, const Vec2& size, const BodyRef& body) {
   SweptBox swept;
   swept.box = make_box(position, angle, size);
-  swept.bounds = {swept.box.corner(0), swept.box.corner(0)};
-  for (int k = 1; k < Box::corners; ++k) {
-    swept.bounds.low = swept.bounds.low.cwiseMin(swept.box.corner(k));
-    swept.bounds.high = swept.bounds.high.cwiseMax(swept.box.corner(k));
-  }
+  swept.bounds = posed_bounds(swept.box, 0.0);
   swept.body = body;
   return swept;
 }
@@ -54,10 +49,8 @@ std::vector<SweptBox> swept_boxes(const Scene& scene) {
 /// Sorts along the axis on which the boxes spread more and returns it.
 int sort_for_sweep(std::vector<SweptBox>& boxes) {
   BoundingBox all = boxes.front().bounds;
-  for (const SweptBox& swept : boxes) {
-    all.low = all.low.cwiseMin(swept.bounds.low);
-    all.high = all.high.cwiseMax(swept.bounds.high);
-  }
+  for (const SweptBox& swept : boxes)
+    all.include(swept.bounds);
   const Vec2 spread = all.high - all.low;
   const int axis = spread.x() >= spread.y() ? 0 : 1;
   std::sort(boxes.begin(), boxes.end(), [axis](const SweptBox& a, const SweptBox& b) {

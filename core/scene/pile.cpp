@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/bounds.h"
 #include "core/scene/counter_random.h"
 #include "core/scene/groups.h"
 
@@ -18,7 +19,7 @@ namespace {
 class Grid {
  public:
   Grid(const Region& region, double least_cell, std::int64_t expected)
-      : low_(region.low), high_(region.high) {
+      : region_{region.low, region.high} {
     const Vec2 extent = region.high - region.low;
     const double most = 2.0 * std::sqrt(static_cast<double>(expected)) + 1.0;
     for (int axis = 0; axis < 2; ++axis) {
@@ -30,10 +31,7 @@ class Grid {
   }
 
   void add(const Box& box, double margin) {
-    const Vec2 half = box.extent() + Vec2(margin, margin);
-    const bool outside = ((box.center + half).array() < low_.array()).any()
-                         || ((box.center - half).array() > high_.array()).any();
-    if (outside) return;
+    if (!posed_bounds(box, margin).overlaps(region_)) return;
     const int index = static_cast<int>(boxes_.size());
     boxes_.push_back(box);
     visit(box, margin, [&](std::vector<int>& cell) {
@@ -52,7 +50,7 @@ class Grid {
 
  private:
   [[nodiscard]] int cell_of(double place, int axis) const {
-    const double cell = std::floor((place - low_[axis]) / cell_[axis]);
+    const double cell = std::floor((place - region_.low[axis]) / cell_[axis]);
     return static_cast<int>(std::clamp(cell, 0.0, count_[axis] - 1.0));
   }
 
@@ -60,9 +58,7 @@ class Grid {
   /// says no.
   template <class Action>
   bool visit(const Box& box, double margin, const Action& action) {
-    const Vec2 half = box.extent() + Vec2(margin, margin);
-    const Vec2 low = box.center - half;
-    const Vec2 high = box.center + half;
+    const auto [low, high] = posed_bounds(box, margin);
     const int last_column = cell_of(high.x(), 0);
     const int last_row = cell_of(high.y(), 1);
     for (int row = cell_of(low.y(), 1); row <= last_row; ++row) {
@@ -74,8 +70,7 @@ class Grid {
     return true;
   }
 
-  Vec2 low_;
-  Vec2 high_;
+  BoundingBox region_;
   Vec2 cell_ = Vec2::Ones();  ///< m
   std::array<int, 2> count_{1, 1};
   std::vector<std::vector<int>> cells_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/dynamics/rod_rows.h"
-#include "core/geometry/broad_phase.h"
+#include "core/geometry/bounds.h"
 
 namespace wuerfel {
 namespace {
@@ -17,9 +17,7 @@ constexpr double stepped_drift_share = 1e-4;
 double free_fall(const System& system, const State& start, const Scales& scales) {
   if (system.rods.empty()) return scales.length;
   BoundingBox bounds{start.front().position, start.front().position};
-  const auto include = [&](const Vec2& p) {
-    bounds = {bounds.low.cwiseMin(p), bounds.high.cwiseMax(p)};
-  };
+  const auto include = [&](const Vec2& p) { bounds.include({p, p}); };
   for (const BodyState& s : start)
     include(s.position);
   for (const Rod& rod : system.rods) {

@@ -160,15 +160,12 @@ void add_contacts(const System& system,
 void add_sides(const System& system, const State& state, Snapshot& snapshot) {
   std::vector<Box> boxes;
   pose_boxes(system, state, boxes);
-  std::vector<BoundingBox> bounds;
-  for (int i = 0; i < box_count(system); ++i) {
-    const Vec2 reach = Vec2::Constant(boxes[i].half.norm() + 0.5 * boxes[i].smaller_side());
-    bounds.push_back({boxes[i].center - reach, boxes[i].center + reach});
-  }
-  BroadPhase broad_phase;
-  for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
-    if (!system.is_cube(pair.first) || !system.may_touch(pair.first, pair.second)) continue;
-    const Contact c = nearest_corner(boxes, pair.first, pair.second);
+  const auto bounds_of = [&](int i) {
+    return bounds_around(boxes[i].center, boxes[i].radius() + 0.5 * boxes[i].smaller_side());
+  };
+  Neighbours neighbours;
+  for (const auto& [i, j] : neighbours.find(system, bounds_of)) {
+    const Contact c = nearest_corner(boxes, i, j);
     const Vec2 p_i = boxes[c.from].center + c.arm_i;
     const Vec2 p_j = boxes[c.from].center + c.arm_j;
     snapshot.sides.push_back({p_i, p_j, c.point, side_area(p_i, p_j, c.point)});

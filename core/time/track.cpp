@@ -273,9 +273,7 @@ void Track::forget_before(double t) {
 void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
   const auto add = [&](const State& state) {
     for (std::size_t i = 0; i < state.size(); ++i) {
-      const Vec2 reach = Vec2::Constant(system_->bodies[i].radius());
-      bounds[i].low = bounds[i].low.cwiseMin(state[i].position - reach);
-      bounds[i].high = bounds[i].high.cwiseMax(state[i].position + reach);
+      bounds[i].include(bounds_around(state[i].position, system_->bodies[i].radius()));
     }
   };
   add(this->state());

@@ -1,4 +1,4 @@
-// Bounds, neighbours and sets of bodies.
+// Neighbours and sets of bodies.
 #include "core/constraints/neighbours.h"
 
 #include <gtest/gtest.h>
@@ -8,24 +8,6 @@
 
 namespace wuerfel::test {
 namespace {
-
-TEST(Neighbours, BoundsHoldTheirBoxes) {
-  const Box a = make_box({1.0, 2.0}, 0.4, {2.0, 0.5});
-  const Box b = make_box({3.0, 1.0}, 1.4, {2.0, 0.5});
-  const BoundingBox swept = swept_bounds(a, b, 0.1);
-  for (const Box& box : {a, b}) {
-    const BoundingBox posed = posed_bounds(box, 0.1);
-    for (int k = 0; k < Box::corners; ++k) {
-      const BoundingBox corner{box.corner(k), box.corner(k)};
-      EXPECT_TRUE(posed.overlaps(corner));
-    }
-    EXPECT_TRUE((swept.low.array() <= posed.low.array()).all());
-    EXPECT_TRUE((swept.high.array() >= posed.high.array()).all());
-  }
-  const BoundingBox way = predicted_bounds({0.0, 1.0}, {2.0, -1.0}, {0.5, 0.25});
-  EXPECT_EQ(way.low, Vec2(-0.5, -1.25));
-  EXPECT_EQ(way.high, Vec2(2.5, 1.25));
-}
 
 TEST(Neighbours, ArePairsWithACube) {
   Scene scene = on_floor({cube("a", {0.0, 0.5}), cube("b", {0.9, 1.4}), cube("c", {5.0, 0.5})});

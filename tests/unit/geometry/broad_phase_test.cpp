@@ -9,6 +9,17 @@
 namespace wuerfel::test {
 namespace {
 
+/// The oracle: every pair looked at.
+std::vector<IndexPair> overlapping_pairs_brute_force(const std::vector<BoundingBox>& bounds) {
+  std::vector<IndexPair> pairs;
+  for (int i = 0; i < std::ssize(bounds); ++i) {
+    for (int j = i + 1; j < std::ssize(bounds); ++j) {
+      if (bounds[i].overlaps(bounds[j])) pairs.emplace_back(i, j);
+    }
+  }
+  return pairs;
+}
+
 std::vector<BoundingBox> random_bounds(std::uint64_t seed, int n, double size_ratio) {
   RandomNumbers random(seed);
   std::vector<BoundingBox> bounds;
