@@ -14,6 +14,7 @@
 #include "app/commands/idle_options.h"
 #include "app/commands/statics_options.h"
 #include "app/words/explanation.h"
+#include "core/model/scales.h"
 
 namespace wuerfel {
 
@@ -125,10 +126,9 @@ std::string friction_text(const Scene& scene, const Check& answer) {
 
 // Who accelerates most, measured as the verdict is: |a| + side |alpha|.
 std::string fastest_text(const Scene& scene, const Check& answer) {
+  const System system = make_system(scene);
   const auto severity = [&](std::size_t i) {
-    const Twist& a = answer.accelerations[i];
-    const double side = i < scene.cubes.size() ? scene.cubes[i].size.minCoeff() : 0.0;
-    return a.linear.norm() + side * std::abs(a.angular);
+    return size_of(system.bodies[i], answer.accelerations[i]);
   };
   std::size_t worst = 0;
   for (std::size_t i = 1; i < answer.accelerations.size(); ++i) {

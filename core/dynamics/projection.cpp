@@ -79,10 +79,10 @@ Island with_margins(const Restricted& part) {
   return island;
 }
 
-void follow(const System& system, const State& state, Island& island) {
+void follow(const System& system, const State& state, std::vector<Contact>& contacts) {
   std::vector<Box> boxes;
   pose_boxes(system, state, boxes);
-  for (Contact& c : island.contacts)
+  for (Contact& c : contacts)
     c = at_poses(system, boxes, c);
 }
 

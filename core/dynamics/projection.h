@@ -96,7 +96,7 @@ bool overlaps(const System& system, const Contact& contact, double share);
 bool overlaps(const System& system, const Island& island, double share);
 /// The island with its gaps less the margins.
 Island with_margins(const Restricted& part);
-/// The contacts of an island as they are at a state.
-void follow(const System& system, const State& state, Island& island);
+/// The same corners and sides as they are at a state.
+void follow(const System& system, const State& state, std::vector<Contact>& contacts);
 
 }  // namespace wuerfel

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/dynamics/instant_friction.h"
+#include "core/dynamics/projection.h"
 
 namespace wuerfel {
 namespace {
@@ -37,24 +38,14 @@ IslandSolution accelerations(const Island& island,
   return solution;
 }
 
-/// The contacts of an island a moment later, and the cubes of the island in `ahead`.
-Island moved_island(const Island& island, const State& ahead, Workspace& work) {
-  std::vector<Box> boxes;
-  pose_boxes(*work.system, ahead, boxes);
-  Island moved = island;
-  for (Contact& c : moved.contacts)
-    c = at_poses(*work.system, boxes, c);
-  return moved;
-}
-
 /// Gauss' principle over the contacts that do not open. `use` says which these are; what opens
 /// slowly and is not pressed keeps its velocity.
-IslandSolution settle(const Island& island,
-                      const State& state,
-                      const Scales& scales,
-                      bool after_impact,
-                      std::vector<SideUse>& use,
-                      Workspace& work) {
+IslandSolution drop_slow_openings(const Island& island,
+                                  const State& state,
+                                  const Scales& scales,
+                                  bool after_impact,
+                                  std::vector<SideUse>& use,
+                                  Workspace& work) {
   std::vector<char> slow;
   for (const Contact& c : island.contacts) {
     const double rate = gap_rate(c, contact_velocity(*work.system, state, c));
@@ -130,7 +121,9 @@ IslandSolution peek(const Island& island,
     s.velocity += dt * a.linear;
     s.spin += dt * a.angular;
   }
-  return accelerations(moved_island(island, ahead, work), ahead, use, work);
+  Island later = island;
+  follow(*work.system, ahead, later.contacts);
+  return accelerations(later, ahead, use, work);
 }
 
 /// What the touches of an island do along their sides: those that slip go on, the others stick
@@ -162,7 +155,7 @@ IslandModes find_modes(const Island& island,
                        bool after_impact,
                        Workspace& work) {
   std::vector<SideUse> use;
-  IslandSolution solution = settle(island, state, scales, after_impact, use, work);
+  IslandSolution solution = drop_slow_openings(island, state, scales, after_impact, use, work);
   if (is_undecided(island, solution, use, scales.gravity, *work.system))
     solution = peek(island, state, solution, use, peek_time * scales.time, work);
   double lightest = work.system->body(island.cubes.front()).mass;

@@ -56,7 +56,7 @@ OutOfOverlap out_of_overlap(const State& state,
       contacts.insert(contacts.end(), more.begin(), more.end());
       find_islands(*work.system, contacts, parts);
       for (Island& part : parts)
-        follow(*work.system, so_far.state, part);
+        follow(*work.system, so_far.state, part.contacts);
     }
     for (const Island& part : parts) {
       if (!all_rest(part, resting))
@@ -82,7 +82,7 @@ void onto_closed(const Island& island,
   if (!misses(*work.system, state, part, policy) && rests(*work.system, state, part)) return;
   const auto find = [&](const Projection&) { return std::vector<Restricted>{part}; };
   Projection placed = project_places(*work.system, std::move(state), policy, find, work.dynamics);
-  if (placed.moved) follow(*work.system, placed.state, part.island);
+  if (placed.moved) follow(*work.system, placed.state, part.island.contacts);
   Projection slowed = project_velocities(*work.system, std::move(placed.state), {part},
                                          Contradiction::leave, work.dynamics);
   work.solves.count(placed.solves);

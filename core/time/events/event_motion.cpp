@@ -257,11 +257,8 @@ MotionPiece EventMotion::last_piece() const {
 /// The phase that the last step ends, its contacts as they are there.
 FormerPhase EventMotion::ended_phase() const {
   FormerPhase ended{modes_, true};
-  std::vector<Box> boxes;
-  pose_boxes(*system_, phase_.last().end, boxes);
   ended.modes.closed.contacts = phase_.equations().contacts();
-  for (Contact& c : ended.modes.closed.contacts)
-    c = at_poses(*system_, boxes, c);
+  follow(*system_, phase_.last().end, ended.modes.closed.contacts);
   return ended;
 }
 

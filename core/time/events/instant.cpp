@@ -43,7 +43,7 @@ void separate(double touching,
     find_touching(now.state, touching, work, contacts, islands);
   } else {
     for (Island& island : islands)
-      follow(*work.system, now.state, island);
+      follow(*work.system, now.state, island.contacts);
   }
 }
 
@@ -127,7 +127,7 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
 }
 
 /// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
-void settle(const System& system, const Island& island, const State& before, Instant& now) {
+void note_settled(const System& system, const Island& island, const State& before, Instant& now) {
   if (touches_fixed(system, island.contacts))
     now.settled += unexplained(system, before, now.state, 0.0, {});
 }
@@ -140,7 +140,7 @@ void stop(const System& system, const Island& island, double t, bool is_event, I
     now.modes.resting[cube] = 1;
     if (is_event) add_rest(system, island, cube, t, now);
   }
-  settle(system, island, before, now);
+  note_settled(system, island, before, now);
 }
 
 /// Puts the closed contacts of an island into the modes. `boxes`: all, of other islands anywhere.
@@ -208,7 +208,7 @@ void happen_to(const Island& island,
     }
     const State before = now.state;
     onto_closed(island, modes.closed, now.state, work);
-    settle(system, island, before, now);
+    note_settled(system, island, before, now);
     const ContactLimits after_last{limits.touching, slowest_bounce};
     if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
       stop(system, island, t, !rested && t > 0.0, now);

@@ -17,15 +17,10 @@ constexpr int closings = 3;
 /// The contacts as they are at a state, near ones of them.
 std::vector<Contact> near_contacts(const System& system,
                                    const State& state,
-                                   const std::vector<Contact>& contacts) {
-  std::vector<Box> boxes;
-  pose_boxes(system, state, boxes);
-  std::vector<Contact> near;
-  for (const Contact& c : contacts) {
-    const Contact now = at_poses(system, boxes, c);
-    if (is_near(system, now, closable_share)) near.push_back(now);
-  }
-  return near;
+                                   std::vector<Contact> contacts) {
+  follow(system, state, contacts);
+  std::erase_if(contacts, [&](const Contact& c) { return !is_near(system, c, closable_share); });
+  return contacts;
 }
 
 /// Whether nothing overlaps and the contacts are closed.

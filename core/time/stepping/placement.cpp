@@ -156,7 +156,7 @@ bool Placement::bend_rods(const State& end, Island& bent) const {
 }
 
 /// Takes the way of an island's cubes over.
-void Placement::follow(const Island& island, const State& state) {
+void Placement::note_way(const Island& island, const State& state) {
   for (const int cube : island.cubes) {
     const BodyState& from = stride_->start[cube];
     const BodyState& to = state[cube];
@@ -174,7 +174,7 @@ void Placement::bend(const Island& island,
                      const IslandSolution& straight,
                      State& state,
                      Bookkeeping& book) {
-  follow(island, state);
+  note_way(island, state);
   const bool rubbing = rubs(*system_, island);
   Island bent = island;
   bool missed = bend_rods(state, bent);

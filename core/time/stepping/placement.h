@@ -24,7 +24,7 @@ class Placement {
             const IslandSolution& straight,
             State& state,
             Bookkeeping& book);
-  void follow(const Island& island, const State& state);
+  void note_way(const Island& island, const State& state);
   bool bend_rods(const State& end, Island& bent) const;
   bool bend_more(const State& end, Island& bent) const;
   [[nodiscard]] double worst_of(const State& state, const std::vector<int>& rods) const;

@@ -167,7 +167,7 @@ TEST(Corrections, AClosedContactIsClosedAndTheOtherKeptOpen) {
   State state = m.state;
   onto_closed(islands.at(0), {1, 0}, state, work);
   Island island = islands.at(0);
-  follow(m.system, state, island);
+  follow(m.system, state, island.contacts);
   const auto rate = [&](const Contact& c) {
     return gap_rate(c, contact_velocity(m.system, state, c));
   };
