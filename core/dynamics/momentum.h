@@ -12,7 +12,8 @@ namespace wuerfel {
 /// From the centre of the body of the side to the place of the corner p_k, m.
 Vec2 arm_of_side(const Contact& contact);
 
-/// Velocity of the corner p_k against the body of the side at the same place, m/s.
+/// Velocity of the corner p_k against the body of the side at the same place, m/s: what an impulse there works on. (Of the
+/// side's own points: contact_velocity.)
 Vec2 relative_velocity(const System& system, const State& state, const Contact& contact);
 
 /// Changes velocities by an impulse (N s) on the corner p_k and its opposite on the body of the side at the same

@@ -12,13 +12,13 @@ namespace wuerfel {
 
 struct Cover {
   /// Per side the covered intervals of Eq. (5)'s alpha.
-  std::array<std::vector<std::pair<double, double>>, 4> side;
+  std::array<std::vector<std::pair<double, double>>, Box::corners> side;
 
   /// Whether side e is covered at alpha. The ends of an interval are not, unless they are those of the side.
   [[nodiscard]] bool covers(int e, double alpha) const;
   /// Whether corner k is one of the seam: one of its two sides is covered there.
   [[nodiscard]] bool covers_corner(int k) const {
-    return covers(k, 1.0) || covers((k + 3) & 3, 0.0);
+    return covers(k, 1.0) || covers(previous_corner(k), 0.0);
   }
   [[nodiscard]] bool empty() const;
 };

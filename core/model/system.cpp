@@ -180,11 +180,15 @@ System make_system(const Scene& scene) {
   return system;
 }
 
-double fastest_corner(const Body& body, const BodyState& state) {
-  return state.velocity.norm() + body.radius() * std::abs(state.spin);
+double fastest_corner(const Body& body, const Twist& velocity) {
+  return velocity.linear.norm() + body.radius() * std::abs(velocity.angular);
 }
 
-bool is_slower_than(double speed, const System& system, const State& state) {
+double fastest_corner(const Body& body, const BodyState& state) {
+  return fastest_corner(body, Twist{state.velocity, state.spin});
+}
+
+bool is_slower_than(const System& system, const State& state, double speed) {
   for (std::size_t i = 0; i < state.size(); ++i) {
     if (fastest_corner(system.bodies[i], state[i]) > speed) return false;
   }

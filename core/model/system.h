@@ -35,6 +35,7 @@ struct Body {
 
   /// Distance of the corners from the centre, m; of boxes.
   [[nodiscard]] double radius() const { return 0.5 * size.norm(); }
+  [[nodiscard]] int corner_count() const { return kind == BodyKind::point ? 1 : Box::corners; }
   double reach = 0.0;  ///< m, of points: what stands for a side where lengths are compared
   /// Length by which tolerances of a body are measured, m; without bound for a plane.
   [[nodiscard]] double smaller_side() const {
@@ -81,9 +82,10 @@ State initial_state(const Scene& scene);
 void pose_boxes(const System& system, const State& state, std::vector<Box>& boxes);
 
 /// Largest speed that a corner of a box may have, m/s: |v| + |omega| times half the diagonal.
+double fastest_corner(const Body& body, const Twist& velocity);
 double fastest_corner(const Body& body, const BodyState& state);
 /// Whether no corner is faster than `speed`, m/s.
-bool is_slower_than(double speed, const System& system, const State& state);
+bool is_slower_than(const System& system, const State& state, double speed);
 
 /// Kinetic energy of a cube, and of all, J.
 double kinetic_energy(const Body& body, const BodyState& state);

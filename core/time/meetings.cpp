@@ -55,7 +55,7 @@ void Meetings::predict(const State& state, const std::vector<char>& resting, dou
       bounds_[i] = posed_bounds(box, margin_share * box.smaller_side());
       continue;
     }
-    const double radius = (0.5 + margin_share) * body.size.norm();
+    const double radius = (1.0 + 2.0 * margin_share) * body.radius();
     const Vec2 free = length * s.velocity + 0.5 * length * length * g;
     // Where contacts act a cube may go anywhere within what its speed and gravity allow.
     const double reach =

@@ -83,7 +83,7 @@ void Track::start(const State& state,
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
 bool Track::rest_from(const State& state, double t, double touching, Bookkeeping& book) {
-  if (!is_slower_than(rest_speed * scales_.speed, *system_, state)) return false;
+  if (!is_slower_than(*system_, state, rest_speed * scales_.speed)) return false;
   State still = state;
   for (BodyState& s : still)
     stop(s);
@@ -216,7 +216,7 @@ void Track::go_on_or_hand_back() {
   }
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
   if (crowding_.calm()
-      && (few || is_slower_than(rest_speed * scales_.speed, *system_, steps_->state()))) {
+      && (few || is_slower_than(*system_, steps_->state(), rest_speed * scales_.speed))) {
     hand_back();
   } else {
     until_ = crowding_.frames_after(clock_, longest_step);

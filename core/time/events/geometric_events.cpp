@@ -72,8 +72,7 @@ void GeometricEvents::watch_planes(const ContactSet& closed) {
   for (int p = box_count(*system_); p < system_->count(); ++p) {
     for (int i = 0; i < system_->cubes; ++i) {
       if (view_.is_still(i)) continue;
-      const int corners = system_->body(i).kind == BodyKind::point ? 1 : Box::corners;
-      for (int k = 0; k < corners; ++k) {
+      for (int k = 0; k < system_->body(i).corner_count(); ++k) {
         if (!std::ranges::binary_search(on_planes, ContactId{i, p, k, 0}))
           functions_.push_back({Kind::gap, i, p, k, plane_side});
       }

@@ -6,9 +6,10 @@
 
 #include "core/constraints/contact.h"
 #include "core/time/events/dop853.h"
-#include "core/time/stepping/step_record.h"
 
 namespace wuerfel {
+
+struct StepRecord;
 
 /// Components of a cube in the vector of a step: x, y, theta, then their rates.
 inline constexpr std::size_t components = 6;

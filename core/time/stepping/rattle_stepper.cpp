@@ -95,12 +95,12 @@ void RattleStepper::arrive(Step& step, double t) {
   step.book.events = impacts_of(*system_, stride_, t);
   step.book.unexplained =
       unexplained(*system_, stride_.start, step.state, stride_.h, pushed()) + -1.0 * cleaned;
-  settle(cleaned, record, step.book);
+  note_settled(cleaned, record, step.book);
   jam(step, record, t);
   const bool sways = sway_ > 0.0 && !strays(record, step.state);
   const State unsettled = step.state;
-  step.rise = settle_energy(*system_, stride_, sways, record, step.state);
-  settle(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
+  step.rise = restore_energy(*system_, stride_, sways, record, step.state);
+  note_settled(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
   Loss impacts{t + stride_.h, 0.0, false, t};
   Loss friction{t + stride_.h, 0.0, true, t};
   for (const StepComponent& part : record.components) {
@@ -112,7 +112,7 @@ void RattleStepper::arrive(Step& step, double t) {
 }
 
 /// Books a change of momenta beyond the impulses: of fixed bodies, where they were touched.
-void RattleStepper::settle(const Push& change, const StepRecord& record, Bookkeeping& book) {
+void RattleStepper::note_settled(const Push& change, const StepRecord& record, Bookkeeping& book) {
   const bool fixed = std::ranges::any_of(
       record.components, [](const StepComponent& part) { return !part.fixed_normals.empty(); });
   (fixed ? book.settled : book.unexplained) += change;
@@ -182,7 +182,7 @@ void RattleStepper::take_jam(const Island& island,
   keep_book(jam.hit.after, step.book);
   const State before = step.state;
   set_velocities(island, jam.hit.after.twists, step.state);
-  settle(unexplained(*system_, before, step.state, 0.0, {}), record, step.book);
+  note_settled(unexplained(*system_, before, step.state, 0.0, {}), record, step.book);
   const auto mine = std::ranges::find_if(record.components, [&](const StepComponent& part) {
     return std::ranges::binary_search(part.cubes, island.cubes.front());
   });
@@ -211,11 +211,11 @@ double RattleStepper::error_of(const State& state) const {
   for (std::size_t i = 0; i < state.size(); ++i) {
     const BodyState& a = stride_.start[i];
     const BodyState& b = state[i];
-    const double radius = system_->bodies[i].radius();
-    const double change = (b.velocity - a.velocity).norm() + radius * std::abs(b.spin - a.spin);
+    const Body& body = system_->bodies[i];
+    const double change = fastest_corner(body, Twist{b.velocity - a.velocity, b.spin - a.spin});
     if (change > rough_steps * stride_.scales.gravity * stride_.h) continue;
     const Vec2 way = b.position - a.position - 0.5 * stride_.h * (a.velocity + b.velocity);
-    const double turn = radius * (b.angle - a.angle - 0.5 * stride_.h * (a.spin + b.spin));
+    const double turn = body.radius() * (b.angle - a.angle - 0.5 * stride_.h * (a.spin + b.spin));
     sum += way.squaredNorm() + turn * turn;
   }
   return std::sqrt(sum / static_cast<double>(state.size())) / stride_.scales.length;

@@ -63,7 +63,7 @@ class RattleStepper {
  private:
   void arrive(Step& step, double t);
   [[nodiscard]] Push pushed() const;
-  static void settle(const Push& change, const StepRecord& record, Bookkeeping& book);
+  static void note_settled(const Push& change, const StepRecord& record, Bookkeeping& book);
   void jam(Step& step, StepRecord& record, double t);
   [[nodiscard]] std::vector<int> stopping_rods(const Island& island, const State& end) const;
   void take_jam(const Island& island, const RodJam& jam, Step& step, StepRecord& record);

@@ -21,7 +21,7 @@ void lose_in_landing(double energy, std::vector<StepLoss>& losses) {
 
 }  // namespace
 
-Rise settle_energy(
+Rise restore_energy(
     const System& system, const Stride& stride, bool sways, StepRecord& record, State& end) {
   Rise rise;
   const auto kept = [&](const StepComponent& part) {

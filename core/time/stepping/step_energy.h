@@ -16,7 +16,7 @@ struct Rise {
 /// Brings the energy of every component to that of the start less its losses, as far as its velocities
 /// allow; where it `sways`, energy stays what it is. What velocities do not, for the clean-up may lift
 /// what stops on landing, is less of a loss.
-Rise settle_energy(
+Rise restore_energy(
     const System& system, const Stride& stride, bool sways, StepRecord& record, State& end);
 
 }  // namespace wuerfel

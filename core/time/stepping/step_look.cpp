@@ -39,44 +39,40 @@ bool is_smooth(
          <= most_missed * size(to.velocity - from.velocity, to.spin - from.spin);
 }
 
-/// A blow, by what it does to a cube.
+/// A blow, by what it changes of a cube's velocities.
 struct Jump {
   double share = 0.0;
-  Vec2 velocity = Vec2::Zero();
-  double spin = 0.0;
+  Twist by;
 };
 
 /// Straight on from blow to blow. What blows miss of the change of velocity (the weight is carried afterwards) belongs to
 /// them in proportion, what that misses of the way comes evenly. Blows of a step stand one after the other that act at once
 /// where a light cube is squeezed between heavy ones, so that it goes no farther astray than its speed at the ends takes it.
-void place_struck(const BodyState& from,
+void place_struck(const Body& body,
+                  const BodyState& from,
                   const BodyState& to,
                   double h,
                   double share,
-                  double radius,
                   const std::vector<Jump>& jumps,
                   BodyState& state) {
   Vec2 missed = to.velocity - from.velocity;
   double missed_spin = to.spin - from.spin;
   double all = 0.0;
-  const auto size = [&](const Jump& j) { return j.velocity.norm() + radius * std::abs(j.spin); };
   for (const Jump& j : jumps) {
-    missed -= j.velocity;
-    missed_spin -= j.spin;
-    all += size(j);
+    missed -= j.by.linear;
+    missed_spin -= j.by.angular;
+    all += fastest_corner(body, j.by);
   }
   Vec2 astray = Vec2::Zero();
   double turned = 0.0;
   for (const Jump& j : jumps) {
     const double way = h * (std::max(0.0, share - j.share) - share * (1.0 - j.share));
-    astray += way * (j.velocity + size(j) / all * missed);
-    turned += way * (j.spin + size(j) / all * missed_spin);
+    const double part = fastest_corner(body, j.by) / all;
+    astray += way * (j.by.linear + part * missed);
+    turned += way * (j.by.angular + part * missed_spin);
   }
-  const auto speed = [&](const BodyState& s) {
-    return s.velocity.norm() + radius * std::abs(s.spin);
-  };
-  const double farthest = h * (speed(from) + speed(to));
-  const double far = astray.norm() + radius * std::abs(turned);
+  const double farthest = h * (fastest_corner(body, from) + fastest_corner(body, to));
+  const double far = fastest_corner(body, Twist{astray, turned});
   const double kept = far > farthest ? farthest / far : 1.0;
   state.position = from.position + share * (to.position - from.position) + kept * astray;
   state.angle = from.angle + share * (to.angle - from.angle) + kept * turned;
@@ -105,7 +101,7 @@ State StepLook::between(
   const auto add = [&](int cube, double at, const Vec2& linear, double turn) {
     if (!system_->is_cube(cube)) return;
     const Body& body = system_->body(cube);
-    jumps[cube].push_back({at, linear / body.mass, turn / body.inertia});
+    jumps[cube].push_back({at, {linear / body.mass, turn / body.inertia}});
   };
   for (const StepImpulse& p : record.impulses) {
     if (p.begin != p.end) continue;
@@ -116,15 +112,15 @@ State StepLook::between(
   const Vec2 up = -system_->gravity.normalized();
   State state = from;
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const double radius = system_->bodies[i].radius();
+    const Body& body = system_->bodies[i];
     const Vec2 change = to[i].velocity - from[i].velocity;
-    const double turn = radius * (to[i].spin - from[i].spin);
+    const double turn = body.radius() * (to[i].spin - from[i].spin);
     if (change.squaredNorm() + turn * turn > rough * rough) {
-      place_struck(from[i], to[i], h, share, radius, jumps[i], state[i]);
-    } else if (is_smooth(from[i], to[i], h, radius, up)) {
+      place_struck(body, from[i], to[i], h, share, jumps[i], state[i]);
+    } else if (is_smooth(from[i], to[i], h, body.radius(), up)) {
       place_smoothly(from[i], to[i], h, share, state[i]);
     } else {
-      place_struck(from[i], to[i], h, share, radius, {}, state[i]);
+      place_struck(body, from[i], to[i], h, share, {}, state[i]);
     }
   }
   return state;
@@ -177,11 +173,11 @@ void StepLook::turn_on(const StepComponent& part, const State& from, double t, S
   turn(*system_, part.cubes, {now.center, Vec2::Zero(), spin}, state);
 }
 
-void StepLook::settle_energy(const StepComponent& part,
-                             const State& from,
-                             const State& to,
-                             double share,
-                             State& state) const {
+void StepLook::set_energy(const StepComponent& part,
+                          const State& from,
+                          const State& to,
+                          double share,
+                          State& state) const {
   const double start = energy_of(*system_, from, part.cubes);
   double goal = start;
   double all = 0.0;
@@ -228,7 +224,7 @@ State StepLook::at(
   if (removal_.left() > overlap_share) removal_.retreat(state);
   keep_turning(*system_, cleaned, uncleaned, state);
   for (const StepComponent& part : record.components)
-    settle_energy(part, from, to, share, state);
+    set_energy(part, from, to, share, state);
   for (const int cube : flying(record, cleaned)) {
     const std::array<int, 1> alone{cube};
     const double start = energy_of(*system_, from, alone);

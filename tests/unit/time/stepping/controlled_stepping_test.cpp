@@ -32,8 +32,8 @@ TEST(ControlledStepping, StepsGrowWhereTheyAreEasyAndEndWhereTheyShould) {
   EXPECT_EQ(t, 0.1);
   EXPECT_NEAR(longest, 0.01, 1e-15);
   EXPECT_NEAR(stepping.state()[0].position.y(), 50.2 - 0.5 * 9.81 * 0.01, 1e-13);
-  EXPECT_FALSE(is_slower_than(1.0, m.system, stepping.state()));
-  EXPECT_TRUE(is_slower_than(2.0, m.system, stepping.state()));
+  EXPECT_FALSE(is_slower_than(m.system, stepping.state(), 1.0));
+  EXPECT_TRUE(is_slower_than(m.system, stepping.state(), 2.0));
 }
 
 TEST(StepLook, InFreeFlightItIsTheParabola) {

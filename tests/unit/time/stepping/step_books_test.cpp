@@ -107,13 +107,13 @@ TEST(StepBooks, WhatAStepAddsToTheEnergyIsTakenBack) {
   const double lost = sum_of(record.components[0].losses);
   State end = landing.end;
   // Along the ground nothing that the ground does can have changed the motion.
-  const Rise rise = settle_energy(landing.system(), landing.stride, false, record, end);
+  const Rise rise = restore_energy(landing.system(), landing.stride, false, record, end);
   EXPECT_EQ(rise.unpaid, 0.0);
   EXPECT_NEAR(rise.whole, 0.5 * (0.49 + 0.09) - (0.5 - lost), 1e-14);
   EXPECT_EQ(end[0].velocity.x(), 0.7);
   EXPECT_LT(std::abs(end[0].velocity.y()), 0.3);
   State swaying = landing.end;
-  settle_energy(landing.system(), landing.stride, true, record, swaying);
+  restore_energy(landing.system(), landing.stride, true, record, swaying);
   EXPECT_EQ(swaying[0].velocity.y(), 0.3);
 }
 
@@ -143,11 +143,11 @@ TEST(StepBooks, WhatVelocitiesDoNotTakeBackIsLostByWhatLanded) {
   StepRecord record = record_of(landing.system(), landing.stride, landing.end);
   std::vector<StepLoss>& losses = record.components[0].losses;
   losses = {{0.4, 0.4, 0.1}};
-  settle_energy(landing.system(), landing.stride, false, record, landing.end);
+  restore_energy(landing.system(), landing.stride, false, record, landing.end);
   ASSERT_EQ(losses.size(), 1U);
   EXPECT_NEAR(losses[0].energy, 0.5, 1e-15);  // it stands still
   losses = {{0.0, 1.0, 0.1, true}};
-  settle_energy(landing.system(), landing.stride, false, record, landing.end);
+  restore_energy(landing.system(), landing.stride, false, record, landing.end);
   EXPECT_EQ(sum_of(losses), 0.1);  // nothing landed: a drift, which is not hidden
 }
 
@@ -157,7 +157,7 @@ TEST(StepBooks, WhatNoMotionCanPayForIsSaid) {
   record.components[0].losses.clear();
   landing.stride.start[0].velocity.setZero();
   landing.end[0].velocity = {0.3, 0.4};
-  const Rise rise = settle_energy(landing.system(), landing.stride, false, record, landing.end);
+  const Rise rise = restore_energy(landing.system(), landing.stride, false, record, landing.end);
   EXPECT_NEAR(rise.whole, 0.125, 1e-15);
   EXPECT_NEAR(rise.unpaid, 0.045, 1e-15);  // along the ground
   EXPECT_EQ(landing.end[0].velocity.y(), 0.0);
