@@ -33,6 +33,15 @@ class Formats(ProgramTest):
             self.assertEqual(*contents)
         self.assertNotIn(b"CreationDate", contents[0])
 
+    def test_how_time_is_stepped_does_nothing_for_the_start_alone(self):
+        def notes(*options):
+            return self.expect(0, "figure", self.scene(STANDING), "-o", "f.svg", *options).stderr
+        stepping = ("--integrator", "rattle", "--step", "0.01")
+        self.assertEqual(notes(*stepping), "")  # the view fits the motion
+        self.assertEqual(notes("--fit", "instant", "-t", "0.1", *stepping), "")
+        for name in stepping[::2]:
+            self.assertIn(f"{name} does nothing for the start", notes("--fit", "instant", *stepping))
+
     def test_both_encoders_write_the_same_pixels(self):
         for encoder in ("isa-l", "libpng"):
             self.expect(0, "figure", self.scene(STANDING), "-o", f"{encoder}.png", "--encoder", encoder, *SMALL)
