@@ -12,6 +12,8 @@
 
 namespace wuerfel::test {
 
+inline constexpr double g = 9.81;  ///< m/s^2, of scenes that say nothing else
+
 inline SceneCube cube(const std::string& name,
                       const Vec2& position,
                       double angle = 0.0,
@@ -67,6 +69,13 @@ inline std::vector<SceneCube> leaning_tower(int count, double lean) {
   for (int i = 0; i < count; ++i)
     cubes.push_back(cube("c" + std::to_string(i), {lean * i, 0.5 + i}));
   return cubes;
+}
+
+/// Two unit cubes, b `gap` m to the right of a.
+inline Scene side_by_side(double gap) {
+  Scene scene;
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0 + gap, 0.0})};
+  return scene;
 }
 
 /// A scene at its start.

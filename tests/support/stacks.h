@@ -10,8 +10,6 @@
 
 namespace wuerfel::test {
 
-inline constexpr double g = 9.81;
-
 inline StillScene still(const Scene& scene) { return still_scene(scene, {}); }
 
 /// Unit cubes that overhang a table's edge at 0, the longest possible times 1 + eps: with n - i cubes

@@ -10,7 +10,6 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr double g = 9.81;
 constexpr double exact = 1e-12;
 
 struct Instant {

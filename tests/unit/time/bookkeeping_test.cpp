@@ -47,29 +47,6 @@ TEST(Solves, FrictionThatWasMissedIsNoResidualOfGauss) {
   EXPECT_EQ(solves.missed, 0);
 }
 
-TEST(Promises, MomentaChangeByWhatActsOnThem) {
-  Audit audit;
-  audit.momentum_linear = audit.momentum_angular = 1.1e-4;
-  EXPECT_TRUE(broken_promises(audit).empty()) << "nothing is promised yet";
-  audit.momentum_budget = promised_momentum_of_steps;
-  audit.settled_budget = promised_settled_of_steps;
-  EXPECT_EQ(broken_promises(audit), std::vector{Promise::momentum});
-  audit.momentum_linear = 0.9e-4;
-  EXPECT_EQ(broken_promises(audit), std::vector{Promise::momentum}) << "the angular one";
-  audit.momentum_angular = 0.9e-4;
-  EXPECT_TRUE(broken_promises(audit).empty());
-}
-
-TEST(Promises, WhatStepsSettleHasABudgetOfItsOwn) {
-  Audit audit;
-  audit.momentum_budget = promised_momentum_of_steps;
-  audit.settled_budget = promised_settled_of_steps;
-  audit.momentum_settled = 1.1 * promised_settled_of_steps;
-  EXPECT_EQ(broken_promises(audit), std::vector{Promise::momentum});
-  audit.momentum_settled = 0.9 * promised_settled_of_steps;
-  EXPECT_TRUE(broken_promises(audit).empty());
-}
-
 TEST(Bookkeeping, CostAloneLeavesTheAudit) {
   Solves solves;
   solves.add(solution(QpStatus::inaccurate, 1e-5));

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/time/policy.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -78,67 +77,6 @@ TEST(IslandMotion, WhatRestsInStepsDoesNotBounce) {
   EXPECT_NEAR(motion.state()[0].position.y(), 0.5, 1e-9);
   // Else every step has it bounce, and takes its velocity and that much of the weight away again.
   EXPECT_LT(motion.book().audit.momentum_settled, 1e-9);
-}
-
-TEST(Track, KnowsItsStatesUntilTheyAreForgotten) {
-  const Mechanism m(on_floor({cube("a", {0.0, 3.0})}));
-  Track track(m.system, {}, policy_of({}));
-  track.start(m.state, 0.0, 1e-9, {0}, {});
-  while (track.clock() < 0.5)
-    track.advance(0.5);
-  EXPECT_NEAR(track.at(0.3)[0].position.y(), 3.0 - 0.5 * 9.81 * 0.09, 1e-13);
-  EXPECT_EQ(track.at(track.clock())[0].position, track.state()[0].position);
-  std::vector<BoundingBox> swept(1, {m.state[0].position, m.state[0].position});
-  track.sweep(0.0, swept);
-  EXPECT_LE(swept[0].low.y(), track.state()[0].position.y() - 0.7);
-  EXPECT_GE(swept[0].high.y(), 3.7);
-  track.forget_before(0.4);
-  EXPECT_NEAR(track.at(0.45)[0].position.y(), 3.0 - 0.5 * 9.81 * 0.2025, 1e-13);
-}
-
-TEST(Track, RestEndsTheClock) {
-  const Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
-  Track track(m.system, {}, policy_of({}));
-  track.start(m.state, 0.0, 1e-9, {0}, {});
-  EXPECT_TRUE(track.at_rest());
-  track.advance(1.0);
-  EXPECT_EQ(track.clock(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(track.at(7.0)[0].position, m.state[0].position);
-}
-
-TEST(Track, StepsAllTheTimeWhereThatIsTheChoice) {
-  const Mechanism m(on_floor({cube("a", {0.0, 3.0})}));
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
-  settings.step = 0.02;
-  Track track(m.system, settings, policy_of(settings));
-  track.start(m.state, 0.0, 1e-9, {0}, {});
-  EXPECT_GT(track.stepping().until, 1e300);
-  track.advance(1.0);
-  EXPECT_LE(track.clock(), 0.02 + 1e-15);
-  EXPECT_TRUE(track.loaded_at(0.0).empty());
-}
-
-TEST(MotionPolicy, SaysWhatAnIntegratorMeans) {
-  MotionSettings settings;
-  settings.step = 0.125;
-  settings.tolerance = 1e-8;
-  const auto policy = [&](Integrator integrator) {
-    settings.integrator = integrator;
-    return policy_of(settings);
-  };
-  using Method = MotionPolicy::Method;
-  EXPECT_EQ(policy(Integrator::automatic).method, Method::groups);
-  EXPECT_EQ(policy(Integrator::automatic).step, 0.0);
-  EXPECT_NEAR(policy(Integrator::automatic).allowed_error, 2e-3, 1e-18);
-  EXPECT_TRUE(policy(Integrator::event).only_events);
-  EXPECT_TRUE(policy(Integrator::rattle).only_steps);
-  EXPECT_EQ(policy(Integrator::rattle).step, 0.125);
-  EXPECT_NEAR(policy(Integrator::rattle).sway, 0.25e-4, 1e-19);
-  EXPECT_EQ(policy(Integrator::moreau).method, Method::moreau);
-  EXPECT_EQ(policy(Integrator::symplectic).method, Method::algorithm_1);
-  EXPECT_FALSE(policy(Integrator::symplectic).as_printed);
-  EXPECT_TRUE(policy(Integrator::euler).as_printed);
 }
 
 }  // namespace

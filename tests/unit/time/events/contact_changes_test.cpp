@@ -1,9 +1,8 @@
-// Events without an impulse, and bounces that come to an end.
+// Events without an impulse.
 #include "core/time/events/contact_changes.h"
 
 #include <gtest/gtest.h>
 
-#include "core/time/events/bounce_series.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -95,43 +94,6 @@ TEST(ContactChanges, StickingAndSlippingAreEventsWhereSomethingRubs) {
   back.closed.touches[0].slips = -1;
   EXPECT_EQ(changes(slips, back).at(0).kind, EventKind::slip);
   EXPECT_TRUE(changes(slips, slips).empty());
-}
-
-TEST(BounceSeries, ARestIsDatedWhereTheSeriesOfBouncesEnds) {
-  // Bounces at 0, 1, 1.5, 1.75, 1.875, 1.9375: they end at 2.
-  BounceSeries series;
-  double t = 0.0;
-  double interval = 1.0;
-  std::vector<Event> events;
-  for (int k = 0; k < 6; ++k) {
-    events = {{t, EventKind::impact, "a", "floor", Vec2::Zero(), 1.0}};
-    if (k == 5) events.push_back({t, EventKind::rest, "a", "floor", Vec2::Zero(), 0.0});
-    series.note(
-        events, [](const auto&) { return false; }, 0.1);
-    EXPECT_EQ(series.goes_on(), k >= 4) << k;
-    t += interval;
-    interval *= 0.5;
-  }
-  EXPECT_EQ(events[0].t, 1.9375);
-  EXPECT_NEAR(events[1].t, 2.0, 1e-15);
-}
-
-TEST(BounceSeries, PairsThatMoveOnTouchWhereItEnds) {
-  BounceSeries series;
-  double t = 0.0;
-  double interval = 1.0;
-  std::vector<Event> events;
-  for (int k = 0; k < 6; ++k) {
-    events = {{t, EventKind::impact, "a", "floor", Vec2::Zero(), 1.0}};
-    const BounceSeries::NamePair pair{"a", "floor"};
-    series.note(
-        events, [&](const auto& names) { return names == pair; }, 0.1);
-    t += interval;
-    interval *= 0.5;
-  }
-  ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[1].kind, EventKind::touch);
-  EXPECT_NEAR(events[1].t, 2.0, 1e-15);
 }
 
 }  // namespace

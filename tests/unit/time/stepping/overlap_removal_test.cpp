@@ -1,4 +1,4 @@
-// Cubes are kept apart within a step: who may meet whom, clean-up, retreat.
+// Cubes are kept apart within a step: clean-up, retreat.
 #include "core/time/stepping/overlap_removal.h"
 
 #include <gtest/gtest.h>
@@ -8,45 +8,11 @@
 namespace wuerfel::test {
 namespace {
 
-constexpr double one_step = 0.01;
-
-Scene pair(double gap) {
-  Scene scene;
-  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0 + gap, 0.0})};
-  return scene;
-}
-
-TEST(NearContacts, PairsAreKeptApartByTheSidesThatFaceEachOther) {
-  const Mechanism m(pair(0.005));
-  NearContacts near(m.system);
-  near.begin(m.state, one_step, 9.81);
-  State end = m.state;
-  end[0].position.x() += 0.008;
-  std::vector<Contact> contacts;
-  near.find_towards(end, 1e-2, contacts);
-  ASSERT_EQ(contacts.size(), 2U);
-  for (const Contact& c : contacts)
-    EXPECT_NEAR(c.gap, 0.005, 1e-15);
-  near.find_at(end, 1e-2, contacts);
-  ASSERT_EQ(contacts.size(), 2U);
-  for (const Contact& c : contacts)
-    EXPECT_NEAR(c.gap, -0.003, 1e-15);
-}
-
-TEST(NearContacts, WhoIsFarAwayMeetsNobody) {
-  const Mechanism m(pair(0.5));
-  NearContacts near(m.system);
-  near.begin(m.state, one_step, 9.81);
-  std::vector<Contact> contacts;
-  near.find_towards(m.state, 1e-2, contacts);
-  EXPECT_TRUE(contacts.empty());
-}
-
 TEST(OverlapRemoval, CleansUpByTheLeastThatIsNeeded) {
-  const Mechanism m(pair(0.0));
+  const Mechanism m(side_by_side(0.0));
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);
-  removal.begin(m.state, one_step);
+  removal.begin(m.state, 0.01);
   State state = m.state;
   state[0].position.x() += 1e-6;
   Bookkeeping book;
@@ -62,10 +28,10 @@ TEST(OverlapRemoval, CleansUpByTheLeastThatIsNeeded) {
 }
 
 TEST(OverlapRemoval, WhatDoesNotOverlapIsLeftAlone) {
-  const Mechanism m(pair(0.0));
+  const Mechanism m(side_by_side(0.0));
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);
-  removal.begin(m.state, one_step);
+  removal.begin(m.state, 0.01);
   State state = m.state;
   state[0].position.x() += 1e-10;
   Bookkeeping book;
@@ -76,12 +42,12 @@ TEST(OverlapRemoval, WhatDoesNotOverlapIsLeftAlone) {
 }
 
 TEST(OverlapRemoval, RetreatHalvesTheWayOfThoseThatOverlap) {
-  Scene scene = pair(0.1);
+  Scene scene = side_by_side(0.1);
   scene.cubes.push_back(cube("far", {9.0, 0.0}));
   const Mechanism m(scene);
   Workspace work(m.system, {}, step_tolerances);
   OverlapRemoval removal(work);
-  removal.begin(m.state, one_step);
+  removal.begin(m.state, 0.01);
   State state = m.state;
   state[0].position.x() += 0.3;
   state[0].angle += 0.0;

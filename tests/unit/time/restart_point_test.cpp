@@ -1,10 +1,11 @@
 // Restart points: a motion that is taken up again has the bits of one in one go.
+#include "core/time/restart_point.h"
+
 #include <bit>
 
 #include <gtest/gtest.h>
 
 #include "core/scene/scene_parser.h"
-#include "core/time/restart_point.h"
 #include "core/time/simulation.h"
 
 namespace wuerfel::test {

@@ -1,0 +1,81 @@
+// The first half of a step, in closed form.
+#include "core/time/stepping/placement.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/taken_steps.h"
+
+namespace wuerfel::test {
+namespace {
+
+TEST(Placement, FreeFlightIsAParabolaWithoutAProgram) {
+  Scene scene;
+  scene.cubes = {cube("a", {0.0, 5.0})};
+  scene.cubes[0].velocity = {2.0, 1.0};
+  scene.cubes[0].spin = 3.0;
+  TakenStep s(scene);
+  const State end = s.placement.find(s.stride, s.book);
+  const double fall = 0.5 * g * TakenStep::h * TakenStep::h;
+  EXPECT_NEAR(end[0].position.x(), 2.0 * TakenStep::h, 1e-16);
+  EXPECT_NEAR(end[0].position.y(), 5.0 + TakenStep::h - fall, 1e-15);
+  EXPECT_EQ(end[0].angle, 3.0 * TakenStep::h);
+  EXPECT_NEAR(s.stride.half[0].velocity.y(), 1.0 - 0.5 * g * TakenStep::h, 1e-15);
+  EXPECT_TRUE(s.stride.blows.empty());
+  EXPECT_EQ(s.book.cost.qp_solves, 0);
+}
+
+TEST(Placement, TheGroundCarriesTheWeightOfHalfAStep) {
+  TakenStep s(on_floor({cube("a", {0.0, 0.5}), cube("b", {4.0, 0.5})}));
+  const State end = s.placement.find(s.stride, s.book);
+  // Margins of 5e-11 m lift at 5e-9 m/s.
+  EXPECT_NEAR(s.first().y(), 2.0 * 0.5 * g * TakenStep::h, 2e-8);
+  EXPECT_EQ(s.first().x(), 0.0);
+  for (const int i : {0, 1}) {
+    EXPECT_NEAR(end[i].position.y(), 0.5, 1.1e-10);
+    EXPECT_NEAR(s.stride.half[i].velocity.y(), 0.0, 1.1e-8);
+  }
+}
+
+TEST(Placement, WhatMeetsOnTheWaySharesTheRoomByMass) {
+  // p (1 + 1/3) h is the overlap of 0.005 m of free flight.
+  TakenStep s(flying_at(3.0));
+  const State end = s.placement.find(s.stride, s.book);
+  const double p = 0.375;
+  EXPECT_NEAR(s.stride.half[0].velocity.x(), 1.0 - p, 1e-8);
+  EXPECT_NEAR(s.stride.half[1].velocity.x(), p / 3.0, 1e-8);
+  EXPECT_NEAR(end[0].position.x(), 0.01 - 0.01 * p, 1e-10);
+  EXPECT_NEAR(end[1].position.x(), 1.005 + 0.01 * p / 3.0, 1e-10);
+  EXPECT_NEAR(s.first().norm(), p, 1e-8);
+  EXPECT_NEAR(s.stride.half[0].velocity.x() + 3.0 * s.stride.half[1].velocity.x(), 1.0, 1e-15);
+}
+
+TEST(Placement, WhatFreeFlightDoesNotBringTogetherIsSkipped) {
+  Scene scene = flying_at(1.0);
+  scene.cubes[0].velocity = {0.4, 0.0};
+  TakenStep s(scene);
+  const State end = s.placement.find(s.stride, s.book);
+  EXPECT_EQ(end[0].position.x(), 0.004);
+  EXPECT_EQ(s.book.cost.qp_solves, 0);
+  EXPECT_EQ(s.book.cost.skipped_certificate, 1);
+}
+
+TEST(Placement, ARodPullsAlongItsStartUntilItHasItsLength) {
+  // From the height of its pivot a pendulum falls freely, and the rod pulls it back to the circle.
+  //    o-------*
+  Scene scene;
+  scene.points.push_back({"bob", 2.0, {1.0, 0.0}, Vec2::Zero(), {}});
+  scene.rods.push_back({"rod", {"bob", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
+  TakenStep s(scene);
+  const State end = s.placement.find(s.stride, s.book);
+  const double fall = 0.5 * g * TakenStep::h * TakenStep::h;
+  EXPECT_NEAR(end[0].position.y(), -fall, 1e-18);
+  EXPECT_NEAR(end[0].position.x(), std::sqrt(1.0 - fall * fall), 1e-13);
+  // The mass times what that takes of its velocity.
+  EXPECT_NEAR(std::abs(s.stride.rods_first[0]), 2.0 * 0.5 * fall * fall / TakenStep::h, 1e-10);
+  EXPECT_TRUE(s.stride.jammed.empty());
+}
+
+}  // namespace
+}  // namespace wuerfel::test
