@@ -1,4 +1,4 @@
-// Who looks at a motion changes nothing about it: neither its states nor what is kept book of.
+// Who looks at a motion changes nothing about it: neither its states nor what is kept book of. Also shown_joints.cpp.
 #include <gtest/gtest.h>
 
 #include "core/time/simulation.h"

@@ -1,4 +1,4 @@
-// What a look says of causes, mechanisms and forces that are possible.
+// What a look says of causes, mechanisms and forces that are possible: shown_causes.cpp, shown_ranges.cpp.
 #include <algorithm>
 #include <cmath>
 

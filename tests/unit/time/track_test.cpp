@@ -144,9 +144,12 @@ TEST(Track, RestTakesWhatHardlyMoves) {
 }
 
 TEST(Track, OfTwoSteppingsTheLongerOneCounts) {
-  const Track::Stepping both = later({1.0, 8}, {2.0, 4});
-  EXPECT_EQ(both.until, 2.0);
-  EXPECT_EQ(both.patience, 8);
+  const Track::Stepping a{1.0, 8};
+  const Track::Stepping b{2.0, 4};
+  for (const Track::Stepping& both : {later(a, b), later(b, a)}) {
+    EXPECT_EQ(both.until, 2.0);
+    EXPECT_EQ(both.patience, 8);
+  }
 }
 
 }  // namespace

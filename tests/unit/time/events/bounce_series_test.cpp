@@ -79,7 +79,8 @@ TEST(BounceSeries, ThatLastsTooLongEndsWhereItIsSeen) {
 TEST(BounceSeries, OfAPairDoesNotGoOnByTheBouncesOfAnother) {
   BounceSeries series;
   bounce(series, {0.0, 1.0, 1.5, 1.75, 1.875}, 0.0);
-  std::vector<Event> other = {{1.9375, EventKind::impact, "b", "floor", Vec2::Zero(), 1.0}};
+  std::vector<Event> other = {{1.9375, EventKind::impact, "b", "floor", Vec2::Zero(), 1.0},
+                              {1.9375, EventKind::impact, "a", "floor", Vec2::Zero(), 1.0}};
   series.note(
       other, [](const auto&) { return false; }, 0.0);
   EXPECT_FALSE(series.goes_on());

@@ -97,6 +97,22 @@ TEST(GeometricEvents, WhatTouchesAndOpensIsNotMet) {
   EXPECT_FALSE(first_in(b, 1.0));
 }
 
+TEST(GeometricEvents, WhatGoesOnTouchingWithoutBeingClosedIsNotMet) {
+  //   +---++---+->    both at the same velocity
+  Scene scene;
+  scene.gravity = Vec2::Zero();
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.0, 0.0})};
+  for (SceneCube& c : scene.cubes)
+    c.velocity = {0.0, 1.0};
+  const Mechanism m(scene);
+  SmoothPhase phase(m.system, true);
+  phase.begin(m.state, {}, {0, 0}, 1e-12);
+  GeometricEvents geometry(m.system);
+  geometry.begin(phase.state(), {}, {0, 0});
+  const SmoothStep& step = phase.step(1.0);
+  EXPECT_FALSE(geometry.first(step.motion, step.length, step.range).first);
+}
+
 TEST(GeometricEvents, WhoIsAloneInTheWorldMeetsNobody) {
   Scene alone;
   alone.cubes = {cube("a", {0.0, 0.0})};

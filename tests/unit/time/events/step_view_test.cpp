@@ -84,6 +84,9 @@ TEST(StepView, ProvesThatAFunctionStaysPositiveAndOnlyThen) {
   // Lowered by more than the lowest point, which is the end.
   EXPECT_FALSE(t.view.positive_between(corner_height, begin, end, -end.jet.value - 1e-6));
   EXPECT_TRUE(t.view.positive_between(corner_height, begin, end, -end.jet.value + 0.1));
+  // Lowered by more than where it begins, and rises from.
+  EXPECT_FALSE(
+      t.view.positive_between(corner_height, begin, t.view.look_at(corner_height, 0.3), -3.1));
   const StepView::Look from = t.view.look_at(to_post, 0.0);
   const StepView::Look to = t.view.look_at(to_post, 1.0);
   EXPECT_TRUE(t.view.positive_between(to_post, from, to, 0.0));

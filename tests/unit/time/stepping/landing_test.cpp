@@ -63,6 +63,11 @@ TEST(Landing, ABlowThatThePlacementHasTakenIsLeftToTheImpactLaw) {
     const State after = s.land(end);
     EXPECT_NEAR(after[0].velocity.x(), 0.5 * (1.0 - e), 1e-7) << e;
     EXPECT_NEAR(after[1].velocity.x(), 0.5 * (1.0 + e), 1e-7) << e;
+    // Both halves together are what a has lost.
+    Vec2 whole = s.first();
+    for (const auto& [id, blow] : s.stride.blows)
+      whole += blow.second;
+    EXPECT_NEAR(whole.norm(), 0.5 * (1.0 + e), 1e-7) << e;
   }
 }
 

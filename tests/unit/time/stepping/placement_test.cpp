@@ -64,17 +64,20 @@ TEST(Placement, WhatFreeFlightDoesNotBringTogetherIsSkipped) {
 TEST(Placement, ARodPullsAlongItsStartUntilItHasItsLength) {
   // From the height of its pivot a pendulum falls freely, and the rod pulls it back to the circle.
   //    o-------*
-  Scene scene;
-  scene.points.push_back({"bob", 2.0, {1.0, 0.0}, Vec2::Zero(), {}});
-  scene.rods.push_back({"rod", {"bob", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
-  TakenStep s(scene);
-  const State end = s.placement.find(s.stride, s.book);
-  const double fall = 0.5 * g * TakenStep::h * TakenStep::h;
-  EXPECT_NEAR(end[0].position.y(), -fall, 1e-18);
-  EXPECT_NEAR(end[0].position.x(), std::sqrt(1.0 - fall * fall), 1e-13);
-  // The mass times what that takes of its velocity.
-  EXPECT_NEAR(std::abs(s.stride.rods_first[0]), 2.0 * 0.5 * fall * fall / TakenStep::h, 1e-10);
-  EXPECT_TRUE(s.stride.jammed.empty());
+  for (const double speed : {0.0, 5.0}) {
+    Scene scene;
+    scene.points.push_back({"bob", 2.0, {1.0, 0.0}, {0.0, -speed}, {}});
+    scene.rods.push_back({"rod", {"bob", Vec2::Zero()}, {"", Vec2::Zero()}, 1.0});
+    TakenStep s(scene);
+    const State end = s.placement.find(s.stride, s.book);
+    const double fall = speed * TakenStep::h + 0.5 * g * TakenStep::h * TakenStep::h;
+    const double reach = std::sqrt(1.0 - fall * fall);
+    EXPECT_NEAR(end[0].position.y(), -fall, 1e-17);
+    EXPECT_NEAR(end[0].position.x(), reach, 1e-13);
+    // The mass times what that takes of its velocity.
+    EXPECT_NEAR(std::abs(s.stride.rods_first[0]), 2.0 * (1.0 - reach) / TakenStep::h, 1e-10);
+    EXPECT_TRUE(s.stride.jammed.empty());
+  }
 }
 
 }  // namespace
