@@ -9,8 +9,6 @@ namespace {
 /// surface counts to it up to the second.
 constexpr double outside_share = 1e-7;
 constexpr double surface_share = 1e-9;
-/// Alphas closer than this are one place.
-constexpr double same_place = 1e-9;
 
 /// The part of [low, high] where `at_start` + alpha `slope` <= `limit`.
 void clip(double at_start, double slope, double limit, double& low, double& high) {
@@ -36,15 +34,15 @@ Path outside_of(const Box& box, int e) {
 }
 
 void add_interval(int e, double low, double high, Cover& cover) {
-  if (high - low > same_place) cover.side[e].emplace_back(low, high);
+  if (high - low > same_alpha) cover.side[e].emplace_back(low, high);
 }
 
 }  // namespace
 
 bool Cover::covers(int e, double alpha) const {
   return std::ranges::any_of(side[e], [&](const auto& interval) {
-    return (interval.first <= same_place || alpha > interval.first + same_place)
-           && (interval.second >= 1.0 - same_place || alpha < interval.second - same_place);
+    return (interval.first <= same_alpha || alpha > interval.first + same_alpha)
+           && (interval.second >= 1.0 - same_alpha || alpha < interval.second - same_alpha);
   });
 }
 

@@ -10,6 +10,9 @@
 
 namespace wuerfel {
 
+/// Alphas of Eq. (5) that are closer than this are one place.
+inline constexpr double same_alpha = 1e-9;
+
 struct Cover {
   /// Per side the covered intervals of Eq. (5)'s alpha.
   std::array<std::vector<std::pair<double, double>>, Box::corners> side;

@@ -6,8 +6,7 @@
 namespace wuerfel {
 namespace {
 
-/// Frames per L / V, events per frame that are too many, and the longest stepping.
-constexpr double frames_per_time = 20.0;
+/// Events per frame that are too many, and the longest stepping.
 constexpr long most_events = 25;
 constexpr long most_events_again = 5;  ///< where stepping was needed not long ago
 constexpr long fewest_events = 3;

@@ -3,6 +3,9 @@
 
 namespace wuerfel {
 
+/// Frames per L / V: what happens within one is near.
+inline constexpr double frames_per_time = 20.0;
+
 /// Counts events in frames of L / V / 20. More of them in one frame than the group can afford hand over
 /// to stepping; it lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon.
 class Crowding {

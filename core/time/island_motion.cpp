@@ -13,7 +13,7 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 // Units of L / V.
-constexpr double shortest_window = 0.05;
+constexpr double shortest_window = 1.0 / frames_per_time;
 constexpr double longest_window = 8.0;
 constexpr double first_window = 0.5;
 /// A window ends after so many steps of a group, which are kept until then.

@@ -11,7 +11,7 @@ namespace {
 /// Prediction of sweeps: this much of the path of free flight.
 constexpr double sweep_reserve = 1.2;
 /// Cubes within this share of their half diagonal belong together.
-constexpr double margin_share = 1e-3;
+constexpr double apart_share = 1e-3;
 
 /// Numbers by their set.
 Parts parts_of(UnionFind& sets, int count) {
@@ -52,10 +52,10 @@ void Meetings::predict(const State& state, const std::vector<char>& resting, dou
     const BodyState& s = state[i];
     if (length == 0.0 || resting[i] != 0) {
       const Box box = make_box(s.position, s.angle, body.size);
-      bounds_[i] = posed_bounds(box, margin_share * box.smaller_side());
+      bounds_[i] = posed_bounds(box, apart_share * box.smaller_side());
       continue;
     }
-    const double radius = (1.0 + 2.0 * margin_share) * body.radius();
+    const double radius = (1.0 + 2.0 * apart_share) * body.radius();
     const Vec2 free = length * s.velocity + 0.5 * length * length * g;
     // Where contacts act a cube may go anywhere within what its speed and gravity allow.
     const double reach =

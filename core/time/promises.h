@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/box.h"
 #include "core/time/bookkeeping.h"
 
 namespace wuerfel {
 
 /// Largest share of the smaller side of a pair by which bodies may overlap (and a little for
 /// rounding).
-inline constexpr double promised_overlap = 1.01e-9;
+inline constexpr double promised_overlap = 1.01 * touching_tolerance;
 /// Largest share of its length by which a rod may miss it.
 inline constexpr double promised_rod_error = 1e-9;
 /// Residual of Coulomb's law that is counted but borne.

@@ -15,9 +15,6 @@
 namespace wuerfel {
 namespace {
 
-/// Share of the smaller side below which a cube has not moved.
-constexpr double moved_share = 1e-9;
-
 /// `more`: where the motion is taken up again, a restart point.
 template <typename... More>
 std::unique_ptr<Motion> make_motion(const System& system,
@@ -158,7 +155,7 @@ std::vector<std::string> Simulation::moved() const {
     const double side = body.smaller_side();
     const double far = (now[i].position - impl_->start[i].position).norm()
                        + side * std::abs(now[i].angle - impl_->start[i].angle);
-    if (far > moved_share * side) names.push_back(body.name);
+    if (far > touching_tolerance * side) names.push_back(body.name);
   }
   return names;
 }

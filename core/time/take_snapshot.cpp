@@ -12,8 +12,8 @@
 namespace wuerfel {
 namespace {
 
-constexpr double rounding =
-    1e-12;  ///< of a contact's force along the side, as a share of the other
+/// Forces along a side are shown beyond this share of the one across it.
+constexpr double least_friction = 1e-12;
 
 void add_bodies(const Scene& scene, const System& system, const State& state, Snapshot& snapshot) {
   for (int i = 0; i < system.count(); ++i) {
@@ -100,7 +100,7 @@ void add_forces(const System& system,
     if (!ranges.contacts.empty()) snapshot.forces.back().range = shown_range(ranges.contacts[k]);
     if (of.forces.tangential.empty()) continue;
     const double tangential = of.forces.tangential[k];
-    if (std::abs(tangential) <= rounding * normal) continue;
+    if (std::abs(tangential) <= least_friction * normal) continue;
     const Vec2 along = (on ? tangential : -tangential) * perp(c.normal);
     snapshot.forces.push_back(
         {c.point, along, ForceKind::friction, box_of(system, on ? c.on : c.from), unique});

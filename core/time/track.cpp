@@ -21,8 +21,6 @@ constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
 /// Gaps count as zero in the search for events up to this many times what rounding leaves of them.
 constexpr double rounding_times = 4.0;
-/// Share of V below which a group that was stepped is at rest where its forces balance.
-constexpr double rest_speed = 1e-4;
 constexpr int looks_per_piece = 4;
 
 }  // namespace
@@ -83,7 +81,7 @@ void Track::start(const State& state,
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
 bool Track::rest_from(const State& state, double t, double touching, Bookkeeping& book) {
-  if (!is_slower_than(*system_, state, rest_speed * scales_.speed)) return false;
+  if (!is_slower_than(*system_, state, slowest_motion * scales_.speed)) return false;
   State still = state;
   for (BodyState& s : still)
     stop(s);
@@ -216,7 +214,7 @@ void Track::go_on_or_hand_back() {
   }
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
   if (crowding_.calm()
-      && (few || is_slower_than(*system_, steps_->state(), rest_speed * scales_.speed))) {
+      && (few || is_slower_than(*system_, steps_->state(), slowest_motion * scales_.speed))) {
     hand_back();
   } else {
     until_ = crowding_.frames_after(clock_, longest_step);
@@ -232,7 +230,7 @@ void Track::hand_back() {
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
   book_.settled += unexplained(*system_, steps_->state(), state, 0.0, {});
   // Gaps of contacts under load have been closed to rounding.
-  events_.start(state, clock_, {touching_tolerance, rest_speed}, {}, book_);
+  events_.start(state, clock_, {touching_tolerance, slowest_motion}, {}, book_);
   if (events_.wedged()) hand_over(events_.state(), events_.clock());
 }
 

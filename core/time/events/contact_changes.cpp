@@ -9,9 +9,6 @@
 namespace wuerfel {
 namespace {
 
-/// A corner this near to an end of its side, as a share of the side, is at the end.
-constexpr double at_end_share = 1e-9;
-
 /// Pairs, each as often as it has contacts, in order.
 using Counts = std::vector<IndexPair>;
 
@@ -70,7 +67,7 @@ class Changes {
     if (count_of(closed_after_, pair) >= had || is_named(pair)) return {};
     if (rests(pair.first) && rests(pair.second)) return {};
     const double alpha = before_.closed.contacts[touch.first].alpha;
-    const bool off = alpha <= at_end_share || alpha >= 1.0 - at_end_share;
+    const bool off = alpha <= same_alpha || alpha >= 1.0 - same_alpha;
     return off && had == 1 ? EventKind::slide_off : EventKind::release;
   }
   /// Whether a touch that is closed has just come.

@@ -5,6 +5,7 @@
 
 #include "core/dynamics/instant_friction.h"
 #include "core/dynamics/projection.h"
+#include "core/dynamics/verdict.h"
 
 namespace wuerfel {
 namespace {
@@ -17,10 +18,6 @@ constexpr double bounce_speed = 1e-5;
 constexpr double undecided_share = 1e-6;
 /// How far the program looks ahead then, in units of L / V.
 constexpr double peek_time = 1e-7;
-/// A contact is closed if its gap's acceleration is below this share of g, or below the share that
-/// rounding leaves of the largest force.
-constexpr double closed_acceleration = 1e-9;
-constexpr double closed_rounding = 1e-11;
 
 IslandSolution accelerations(const Island& island,
                              const State& state,
@@ -161,8 +158,9 @@ IslandModes find_modes(const Island& island,
   double lightest = work.system->body(island.cubes.front()).mass;
   for (const int cube : island.cubes)
     lightest = std::min(lightest, work.system->body(cube).mass);
+  // A contact is closed if its gap's acceleration is no fall, or what rounding leaves of the largest force.
   const double limit =
-      closed_acceleration * scales.gravity + closed_rounding * solution.largest_force() / lightest;
+      falls_above * scales.gravity + force_rounding * solution.largest_force() / lightest;
   IslandModes modes;
   modes.wedged = solution.status == QpStatus::infeasible;
   for (const double slack : solution.slacks)

@@ -9,6 +9,12 @@
 
 namespace wuerfel {
 
+/// Share of the largest force, or of the weight, that rounding leaves of others.
+inline constexpr double force_rounding = 1e-11;
+/// What is slower than this share of V does not bounce: it would rise by 5e-9 of the size, not much more than what counts
+/// as touching. Where forces balance it rests at the end of a stepping, and of a series of bounces.
+inline constexpr double slowest_motion = 1e-4;
+
 /// The smooth phase that follows an event.
 struct ContactModes {
   ContactSet closed;            ///< rows of contacts that stay closed, of cubes that move

@@ -8,6 +8,7 @@
 #include "core/dynamics/momentum.h"
 #include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
+#include "core/time/crowding.h"
 #include "core/time/rod_events.h"
 
 namespace wuerfel {
@@ -15,9 +16,6 @@ namespace {
 
 /// Smooth phases are integrated to this share of the tolerance that the user asked for.
 constexpr double inner_share = 0.01;
-/// A load that starts below this share of the weight, or a slip below this share of V, is watched
-/// from where it has left zero.
-constexpr double zero_load = 1e-11;
 /// Events closer than this share of L / V are at one instant; so many of them in a row let time
 /// pass by force, by this share.
 constexpr double instant_share = 1e-13;
@@ -25,14 +23,14 @@ constexpr int most_instant_events = 60;
 constexpr double forced_time = 1e-9;
 /// Below this share of L / V an event is reached by accelerations; what they change by meanwhile is
 /// rounding.
-constexpr double moved_share = 1e-8;
+constexpr double shifted_share = 1e-8;
 /// The search has found an event to this share of the step, or Newton's method is not trusted.
 constexpr double trusted_share = 0.01;
-constexpr int most_corrections = 4;
+constexpr int most_newton_steps = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double ahead_share = 1e-6;
-/// What is left of bouncing when a contact no longer bounces takes less than this share of L / V.
-constexpr double longest_tail = 0.05;
+/// What is left of bouncing when a contact no longer bounces takes less than a frame, in units of L / V.
+constexpr double longest_tail = 1.0 / frames_per_time;
 
 /// Books what friction takes in a step from `start` at time t: nothing else takes energy between events.
 void note_friction(
@@ -66,9 +64,6 @@ void note_rods(const System& system, const State& state, Bookkeeping& book) {
   double& worst = book.audit.max_rod_error;
   worst = std::max(worst, largest_rod_error(system, state));
 }
-
-/// What closing gaps may add to the energy, as a share of the weight times the smallest side.
-constexpr double lifted_share = 1e-9;
 
 }  // namespace
 
@@ -186,10 +181,11 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
   // closed then, some 1e-10 of a side, may lift cubes as well.
   const double loss = energy(*system_, state) - energy(*system_, phase_.state());
-  const double lifted = lifted_share * phase_.scales().weight * phase_.scales().length;
+  const double lifted = touching_tolerance * phase_.scales().weight * phase_.scales().length;
   if (loss > -lifted) book.losses.push_back({clock_, loss, false, clock_});
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
-  forces_.begin(phase_, zero_load);
+  // A load, or a slip, that starts at rounding is watched from where it has left zero.
+  forces_.begin(phase_, force_rounding);
   // A body on a rod that is alone in the world meets nobody and releases nothing.
   phase_.set_watched(!modes_.closed.contacts.empty() || geometry_.watches());
 }
@@ -226,13 +222,13 @@ Jet EventMotion::value_at_end(const FirstEvent& event) {
 void EventMotion::reach(const FirstEvent& event) {
   const double h = phase_.last().length;
   double length = h * std::visit([](const auto& first) { return first.share; }, event);
-  for (int k = 0; k < most_corrections; ++k) {
+  for (int k = 0; k < most_newton_steps; ++k) {
     phase_.cut(length);
     const Jet f = value_at_end(event);
     if (!(f.first < 0.0)) return;
     const double correction = -f.value / f.first;
     if (length + correction <= 0.0) return;
-    if (std::abs(correction) <= moved_share * phase_.scales().time) {
+    if (std::abs(correction) <= shifted_share * phase_.scales().time) {
       phase_.shift_end(correction);
       return;
     }

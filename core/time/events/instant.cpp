@@ -14,11 +14,6 @@
 namespace wuerfel {
 namespace {
 
-/// What closes more slowly than this share of V does not bounce: it would rise by 5e-9 of the size,
-/// not much more than what counts as touching. The impulses of all the bounces that are left out
-/// are those of the weight meanwhile, so that nothing but the height of the last ones is missing.
-constexpr double slowest_bounce = 1e-4;
-
 /// Finds contacts and islands of a state.
 void find_touching(const State& state,
                    double touching,
@@ -187,7 +182,9 @@ void happen_to(const Island& island,
     now.modes.resting[cube] = 0;
   bool hits = closes(system, now.state, island);
   if (hits) {
-    const double slow = slowest_bounce * scales.speed;
+    // The impulses of all the bounces that are left out are those of the weight meanwhile, so that nothing but the height
+    // of the last ones is missing.
+    const double slow = slowest_motion * scales.speed;
     const Impact hit = impact(system, now.state, island, slow, work.dynamics, work.friction);
     work.solves.add(hit.after);
     add_jerks(system, island, now.state, hit, t, now);
@@ -209,7 +206,7 @@ void happen_to(const Island& island,
     const State before = now.state;
     onto_closed(island, modes.closed, now.state, work);
     note_settled(system, island, before, now);
-    const ContactLimits after_last{limits.touching, slowest_bounce};
+    const ContactLimits after_last{limits.touching, slowest_motion};
     if (hits && holds_still(modes) && rests(island, now.state, scales, after_last, work)) {
       stop(system, island, t, !rested && t > 0.0, now);
     } else {

@@ -14,8 +14,8 @@ constexpr double safety = 0.9;
 constexpr double most_growth = 6.0;
 constexpr double most_shrinking = 0.2;
 /// Units of L / V: the first step, the shortest, the first free fall and the growth of the next.
-constexpr double first_step = 0.1;
-constexpr double shortest_step = 1e-11;
+constexpr double first_length = 0.1;
+constexpr double shortest_length = 1e-11;
 constexpr double first_fall = 4.0;
 constexpr double fall_growth = 4.0;
 /// A polynomial is followed beyond its step by no more than this share of it; steps that short are parabolas.
@@ -67,7 +67,7 @@ void SmoothPhase::begin(const State& state,
       error_scale_.push_back(s);
   }
   fall_ = first_fall * scales_.time;
-  if (proposed_ <= 0.0) proposed_ = first_step * scales_.time;
+  if (proposed_ <= 0.0) proposed_ = first_length * scales_.time;
   pack(start_, y_);
   equations_(y_, rate_);
   equations_.find_loads(loads_);
@@ -137,7 +137,7 @@ void SmoothPhase::integrate(double most) {
     take_step(h);
     error = method_.error(error_scale_);
     if (error <= 1.0) break;
-    if (h <= shortest_step * scales_.time) {
+    if (h <= shortest_length * scales_.time) {
       step_.followed = false;
       break;
     }

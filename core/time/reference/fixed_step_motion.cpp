@@ -22,7 +22,7 @@ constexpr double gained_share = 0.1;
 /// What moves with more than so many times the energy of the start moves no more by any law.
 constexpr double diverged_times = 1e12;
 /// Share of a step within which a time counts as a grid time.
-constexpr double same_time = 1e-9;
+constexpr double same_grid_time = 1e-9;
 
 RestartPoint beginning(const System& system, const State& start) {
   RestartPoint point;
@@ -80,7 +80,8 @@ void FixedStepMotion::take(GridPoint& point, double dt, Workspace& work, Bookkee
 
 void FixedStepMotion::advance_to(double t) {
   between_.clear();
-  while (static_cast<double>(whole_steps_ + 1) * settings_.step <= t + same_time * settings_.step) {
+  while (static_cast<double>(whole_steps_ + 1) * settings_.step
+         <= t + same_grid_time * settings_.step) {
     beat();
     step();
     grid_.t = static_cast<double>(++whole_steps_) * settings_.step;
@@ -134,7 +135,7 @@ void FixedStepMotion::note_energy() {
 
 const State& FixedStepMotion::state() {
   const double rest = time_ - grid_.t;
-  if (rest <= same_time * settings_.step || grid_.at_rest()) return grid_.state;
+  if (rest <= same_grid_time * settings_.step || grid_.at_rest()) return grid_.state;
   if (between_.empty()) {
     // A shorter step aside, where nothing is remembered: looking does not change the motion.
     GridPoint point = grid_;

@@ -15,14 +15,13 @@ constexpr double margin_share = 5e-11;
 constexpr double margin_of_fall = 1e-6;
 constexpr double square_of_fall = 1e-2;
 
-constexpr int most_rounds = 8;
+constexpr int most_clean_ups = 8;
 /// A clean-up looks at pairs nearer to each other than so many times the deepest overlap, but no
 /// nearer than this share of the smaller side, and no farther apart than near_share.
 constexpr double pushed_times = 20.0;
 constexpr double nearest_share = 1e-7;
-/// Displacements beyond this share of the smallest side, and beyond so many times the overlap or what rods miss, are no
-/// clean-up any more.
-constexpr double displaced_share = 1e-2;
+/// Displacements beyond what counts as near, and beyond so many times the overlap or what rods miss, are no clean-up any
+/// more.
 constexpr double displaced_times = 100.0;
 constexpr int most_halvings = 50;
 
@@ -89,7 +88,7 @@ std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
     double missed = left_ * scales_.length;
     for (const int rod : parts.back().island.rods)
       missed = std::max(missed, std::abs(rod_excess(system_->rods[rod], state)));
-    parts.back().farthest = std::max(displaced_share * scales_.length, displaced_times * missed);
+    parts.back().farthest = std::max(near_share * scales_.length, displaced_times * missed);
   }
   return parts;
 }
@@ -110,11 +109,11 @@ std::vector<Contact> OverlapRemoval::clean_up(State& state, Bookkeeping& book) {
     const bool fits = left_ <= overlap_share && keeps_lengths(so_far.state);
     return fits ? std::vector<Restricted>{} : pushed_apart(so_far.state);
   };
-  const ProjectionPolicy policy{.overlap = overlap_share, .rounds = most_rounds};
+  const ProjectionPolicy policy{.overlap = overlap_share, .rounds = most_clean_ups};
   Projection clean = project_places(*system_, std::move(state), policy, find, work_->dynamics);
   keep_cost(clean.solves, book);
   state = std::move(clean.state);
-  if (clean.rounds == most_rounds) left_ = measure(state);
+  if (clean.rounds == most_clean_ups) left_ = measure(state);
   return std::move(clean.pushing);
 }
 

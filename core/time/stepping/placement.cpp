@@ -11,7 +11,6 @@
 namespace wuerfel {
 namespace {
 
-constexpr double held_share = 1e-9;   ///< of the smaller side: gaps up to here stay where sides rub
 constexpr double still_missed = 0.5;  ///< of what a first placement misses of the lengths of rods
 constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
 
@@ -60,7 +59,7 @@ IslandSolution Placement::apart(const Island& island,
     for (std::size_t k = 0; k < part.margins.size(); ++k) {
       const Contact start =
           at_poses(*system_, removal_->near().start_boxes(), part.island.contacts[k]);
-      const bool touches = start.gap < held_share * contact_scale(*system_, start);
+      const bool touches = start.gap < touching_tolerance * contact_scale(*system_, start);
       part.margins[k] = touches ? start.gap : std::min(part.margins[k], start.gap);
     }
     IslandSolution solution =
