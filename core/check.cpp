@@ -43,17 +43,17 @@ void add_rod_forces(const System& system, const std::vector<IslandForces>& islan
 }
 
 /// Impacts at the start of islands that rub or bounce.
-void strike(const System& system, const MotionSettings& settings, State& state, Bookkeeping& book) {
+void strike(State& state, Workspace& work, Bookkeeping& book) {
+  const System& system = *work.system;
   std::vector<Contact> contacts;
-  ContactFinder().find(system, state, contacts);
+  work.finder.find(system, state, contacts);
   std::vector<Island> islands;
   find_islands(system, contacts, islands);
   const double slow = rate_tolerance * scales_of(system, state).speed;
   for (const Island& island : islands) {
     if (!rubs(system, island) && !bounces(system, island)) continue;
     if (!closes(system, state, island)) continue;
-    FrictionDynamics dynamics(system, settings);
-    const IslandSolution after = impact(system, state, island, slow, dynamics).after;
+    const IslandSolution after = impact(system, state, island, slow, work.friction).after;
     keep_book(after, book);
     set_velocities(island, after.twists, state);
   }
@@ -107,8 +107,8 @@ Check check(const Scene& scene, const MotionSettings& settings) {
   GridPoint start;
   start.state = start_state(scene);
   Bookkeeping impacts;
-  if (system.rubs || system.bounces) strike(system, settings, start.state, impacts);
   Workspace work(system, settings);
+  if (system.rubs || system.bounces) strike(start.state, work, impacts);
   find_restrictions(start, work, impacts);
   const auto accelerations = [&] {
     return forces_at(system, settings, start.state, Detail::accelerations).accelerations;

@@ -88,9 +88,10 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   note_idle_colors(options, color_by(asked.still.picture, scene.cubes.size()), notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
-  if (asked.still.picture.fit == Fit::instant && still_options.times == std::vector{0.0})
+  if (asked.still.picture.fit == Fit::instant && still_options.times == std::vector{0.0}) {
     note_idle(options, {"--integrator", "--tolerance", "--step"},
               "for the start of a scene with --fit instant", notes);
+  }
   still_options.picture.layers = drawn_layers(asked.still.picture, options.given("--layers"));
   if (asked.until) still_options.end = asked.until;
   // A strip has the scene's shape.
