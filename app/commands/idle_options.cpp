@@ -16,22 +16,34 @@ void note_idle(const Options& options,
   }
 }
 
-void require_effect(const Options& options, const MotionSettings& motion) {
+void require_effect(const MotionSettings& motion,
+                    std::string_view dashes,
+                    const std::function<bool(const char*)>& given) {
   const bool by_events =
       motion.integrator == Integrator::automatic || motion.integrator == Integrator::event;
   const bool by_error = by_events || motion.integrator == Integrator::rattle;
-  const auto refuse = [&](const char* option, const char* reason, const char* others) {
-    throw UsageError(fmt::format("{} has no effect with --integrator {}, {}; it has with {}",
-                                 option, to_string(motion.integrator), reason, others));
+  const auto refuse = [&](const char* option, const std::string& reason, const char* others) {
+    throw UsageError(
+        fmt::format("{0}{1} has no effect with {0}integrator {2}, {3}; it has with {4}", dashes,
+                    option, to_string(motion.integrator), reason, others));
   };
-  if (by_events && options.given("--step"))
-    refuse("--step", "whose steps follow from --tolerance", "rattle, moreau, symplectic and euler");
-  if (!by_error && options.given("--tolerance"))
-    refuse("--tolerance", "whose error follows from --step", "auto, event and rattle");
+  if (by_events && given("step")) {
+    refuse("step", fmt::format("whose steps follow from {}tolerance", dashes),
+           "rattle, moreau, symplectic and euler");
+  }
+  if (!by_error && given("tolerance")) {
+    refuse("tolerance", fmt::format("whose error follows from {}step", dashes),
+           "auto, event and rattle");
+  }
   if (by_events && motion.formulation == Formulation::points) {
-    refuse("--formulation points", "which moves rigid bodies from event to event",
+    refuse("formulation points", "which moves rigid bodies from event to event",
            "rattle, moreau, symplectic and euler, and in `wuerfel check`");
   }
+}
+
+void require_effect(const Options& options, const MotionSettings& motion) {
+  require_effect(motion, "--",
+                 [&](const char* name) { return options.given(std::string("--") + name); });
 }
 
 void note_idle_solver(const Options& options, const Scene& scene, Notes& notes) {

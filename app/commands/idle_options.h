@@ -1,6 +1,9 @@
 /// Options that do nothing beside the others, so that nothing is left out silently.
 #pragma once
 
+#include <functional>
+#include <string_view>
+
 #include "app/cli/options.h"
 #include "app/cli/streams.h"
 #include "app/film/picture_options.h"
@@ -14,7 +17,11 @@ void note_idle(const Options& options,
                const std::string& reason,
                Notes& notes);
 
-/// Throws UsageError where one of the motion options given has no effect with the integrator.
+/// Throws UsageError where one of the motion options given (step, tolerance) has no effect with the integrator. `dashes`:
+/// before the names of options.
+void require_effect(const MotionSettings& motion,
+                    std::string_view dashes,
+                    const std::function<bool(const char*)>& given);
 void require_effect(const Options& options, const MotionSettings& motion);
 
 /// Friction and restitution that a scene asks for and the integrator does not compute.

@@ -82,10 +82,10 @@ py::array_t<double> accelerations(const PyCheck& check) {
 }
 
 MotionSettings settings_of(const std::string& formulation, const std::string& solver) {
-  MotionNames names;
-  names.formulation = formulation;
-  names.solver = solver;
-  return names.settings();
+  MotionSettings settings;
+  settings.formulation = parse_choice<Formulation>("formulation", formulation);
+  settings.solver = parse_choice<QpMethod>("solver", solver);
+  return settings;
 }
 
 PyCheck check_one(const py::object& source,

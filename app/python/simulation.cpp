@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/choice.h"
+#include "app/commands/idle_options.h"
 #include "app/python/answers.h"
 #include "app/python/checkpoints.h"
 #include "app/python/trajectories.h"
@@ -31,6 +32,10 @@ MotionSettings MotionNames::settings() const {
     throw UsageError("tolerance must be at least 1e-15 and step greater than 0");
   settings.tolerance = tolerance;
   settings.step = step;
+  const MotionNames usual;
+  require_effect(settings, "", [&](std::string_view name) {
+    return name == "step" ? step != usual.step : tolerance != usual.tolerance;
+  });
   return settings;
 }
 

@@ -14,7 +14,7 @@
 
 namespace wuerfel::python {
 
-/// Motion options by the names of the command line. Throws UsageError.
+/// Motion options by the names of the command line. Throws UsageError, also where one that is not the usual has no effect.
 struct MotionNames {
   std::string integrator = "auto";
   std::string formulation = "rigid";

@@ -64,6 +64,16 @@ def test_wrong_arguments_are_refused():
         pytest.raises(ValueError, call)
 
 
+def test_options_without_effect_are_refused_with_those_that_have_one():
+    for arguments, named in (({"step": 0.01}, "rattle"), ({"step": 0.01, "integrator": "event"}, "moreau"),
+                             ({"tolerance": 1e-9, "integrator": "euler"}, "auto"), ({"formulation": "points"}, "check")):
+        for motion in (lambda **options: w.Simulation(FALLING, **options), lambda **options: w.simulate(FALLING, [0.1], **options)):
+            with pytest.raises(ValueError, match=named):
+                motion(**arguments)
+    w.Simulation(FALLING, integrator="rattle", step=0.01, tolerance=1e-7, formulation="points")
+    assert w.check(FALLING, formulation="points").verdict == "falls"
+
+
 @pytest.mark.parametrize("name", ["demo", "overhang_stands", "incline_friction", "fig1_stack"])
 def test_check_answers_as_the_program(name):
     answer = w.check(name)
