@@ -5,7 +5,6 @@
 
 #include "core/qp/block/quad_vector.h"
 #include "core/qp/coulomb/dice.h"
-#include "core/qp/interior_step.h"
 #include "core/qp/refinement.h"
 
 namespace wuerfel {
@@ -14,6 +13,9 @@ namespace {
 constexpr double short_step = 0.1;   ///< below it the corrector is given up
 constexpr double stuck_step = 0.02;  ///< four of these in a row end it
 constexpr int most_stuck_steps = 4;
+/// A point as good as this that is followed by so many worse ones is the best: K has lost its digits.
+constexpr double nearly_there = 1e-5;
+constexpr int most_worse_steps = 3;
 
 /// All products equal, or as their weights ask.
 void start(const ContactForm& form, const ConeInteriorEffort& effort, ConeIterate& at) {
@@ -43,21 +45,6 @@ void start(const ContactForm& form, const ConeInteriorEffort& effort, ConeIterat
     if (unit.slides != 0) at.point.l[i].t = -unit.slides * unit.mu * p.force[0];
   }
   at.point.recompute(form);
-}
-
-/// Of force times slack over weight, after so much of the step.
-double mean_product(const ConeIterate& at, const ConeDirection& step, double length) {
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
-    const ConePairs& p = at.pairs[i];
-    const ConePairsStep& d = step.pairs[i];
-    for (int k = 0; k < p.count; ++k) {
-      sum += (p.force[k] + length * d.force[k]) * (p.slack[k] + length * d.slack[k]) / p.weight[k];
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : 0.0;
 }
 
 /// C^-1 of every unit.
@@ -155,31 +142,6 @@ void find_direction(const ContactForm& form,
   }
 }
 
-/// How far a step goes, so that all forces and slacks stay above zero.
-double step_length(const ConeIterate& at, const ConeDirection& step) {
-  double longest = 1.0 / to_the_boundary;
-  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
-    const ConePairs& p = at.pairs[i];
-    const ConePairsStep& d = step.pairs[i];
-    for (int k = 0; k < p.count; ++k) {
-      if (d.force[k] < 0.0) longest = std::min(longest, -p.force[k] / d.force[k]);
-      if (d.slack[k] < 0.0) longest = std::min(longest, -p.slack[k] / d.slack[k]);
-    }
-  }
-  return std::min(1.0, to_the_boundary * longest);
-}
-
-void move(double length, const ConeDirection& step, ConeIterate& at) {
-  for (std::size_t i = 0; i < at.pairs.size(); ++i) {
-    ConePairs& p = at.pairs[i];
-    for (int k = 0; k < p.count; ++k) {
-      p.force[k] += length * step.pairs[i].force[k];
-      p.slack[k] += length * step.pairs[i].slack[k];
-    }
-  }
-  at.point.move(length, step.point);
-}
-
 /// 1 / the largest force, which is `weight` at least.
 double per_largest_force(const ContactForm& form, const ContactPoint& point, double weight) {
   double force = weight;
@@ -274,14 +236,18 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
   start(form, effort, at_);
   step_.pairs.assign(at_.pairs.size(), {});
   int stuck = 0;
-  while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps) {
+  int worse = 0;
+  while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps
+         && worse < most_worse_steps) {
     find_weights(form, at_.pairs, effort.delta, system_.weight);
     ++outcome.factorisations;
     if (!form.factorise(system_.weight)) break;
     choose_direction(form, at_, system_, step_);
-    const double step = step_length(at_, step_);
+    double step = step_length(at_, step_);
+    if (step < short_step) step = step_length_of_most(at_, step_);
     move(step, step_, at_);
     const double worst = worst_pair(form, weight, at_);
+    worse = worst >= outcome.worst && outcome.worst < nearly_there ? worse + 1 : 0;
     if (worst < outcome.worst) {
       outcome.worst = worst;
       round_off(form, weight, at_, point);

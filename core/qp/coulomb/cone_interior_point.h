@@ -11,21 +11,22 @@
 ///     C = [u_n / l_n + d,  0;  mu (B - A),  A + B + d],   A = alpha / (mu l_n - l_t),  B likewise,
 ///
 /// not symmetric; d = delta |g|^2 is proximal (the right-hand side is exact). The central path may
-/// fold: there det K changes its sign, and tau has to grow until it changes back.
+/// fold: there det K changes its sign, and tau has to grow until it changes back. Where many bodies touch it folds in several
+/// places at once, and what is held up there does not hold up the others (step_length_of_most).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "core/qp/coulomb/contact_modes.h"
+#include "core/qp/coulomb/cone_pairs.h"
 
 namespace wuerfel {
 
 struct ConeInteriorEffort {
   double goal = 1e-12;  ///< on the smaller of every pair, relative
   double delta = 1e-8;
-  int most_factorisations = 60;
+  int most_factorisations = 250;
   double spread = 0.0;  ///< weights of the products are e^(+-spread)
   std::uint64_t seed = 0;
 };
@@ -35,27 +36,6 @@ struct ConeInteriorOutcome {
   int factorisations = 0;
 };
 
-/// The three pairs of a unit: forces, what they are complementary to, targets' weights. Pairs that a
-/// unit does not have stay (1, 0).
-struct ConePairs {
-  double force[3] = {1.0, 1.0, 1.0};
-  double slack[3] = {0.0, 0.0, 0.0};
-  double weight[3] = {1.0, 1.0, 1.0};
-  int count = 0;
-};
-struct ConePairsStep {
-  double force[3] = {0.0, 0.0, 0.0};
-  double slack[3] = {0.0, 0.0, 0.0};
-};
-
-struct ConeIterate {
-  std::vector<ConePairs> pairs;
-  ContactPoint point;
-};
-struct ConeDirection {
-  std::vector<ConePairsStep> pairs;
-  ContactStep point;
-};
 /// Newton's equations for y.
 struct ConeSystem {
   std::vector<ContactForm::Weight> weight;       ///< C^-1

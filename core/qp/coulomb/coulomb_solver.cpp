@@ -13,7 +13,8 @@ constexpr int guessed_factorisations = 4;  ///< from none
 constexpr double soft_delta = 1e-2;        ///< from which wrong modes do no harm
 constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 8;
-constexpr int unsure_seeds = 4;  ///< where no solution need exist
+constexpr int seeds_of_many = 3;  ///< later ones find next to nothing in large programs
+constexpr int unsure_seeds = 4;   ///< where no solution need exist
 constexpr int lemke_seeds = 3;
 constexpr int most_pivoted = 120;  ///< contacts of programs that are followed with pivoting
 
@@ -153,7 +154,9 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
   const bool exists = may_stand(friction);
-  for (int k = 0; k < (exists ? interior_seeds : unsure_seeds); ++k) {
+  const bool many = friction.contacts.size() > most_from_open;
+  const int seeds = many ? seeds_of_many : exists ? interior_seeds : unsure_seeds;
+  for (int k = 0; k < seeds; ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
     if (stages.interior(friction, spread, seed + k, result)) return true;
   }

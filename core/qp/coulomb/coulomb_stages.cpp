@@ -14,12 +14,13 @@ constexpr double least_path_delta = 1e-12;
 constexpr double convex_tolerance = 1e-12;
 constexpr double interior_goal = 1e-7;  ///< where pairs vanish together no more is to be had
 constexpr double large_delta = 1e-4;    ///< of settling at first
-constexpr int settling_factorisations = 40;
+constexpr int settling_factorisations = 100;
 constexpr double near_margin = 1e-9;
 constexpr double near_velocity_margin = 1e-4;  ///< times the compliance
 constexpr double near_delta_fall = 0.1;
-constexpr int most_near_crossings = 100;
-constexpr double leap_delta = 3e-9;
+constexpr int near_crossings = 100;  ///< at most, and one more for so many units
+constexpr int units_per_near_crossing = 8;
+constexpr double leap_delta = 3e-8;  ///< below it K has lost its digits: G' l differs from y
 constexpr int most_leaping_steps = 30;
 constexpr double hardly_nearer = 0.9;  ///< of what rows miss that a step leaves
 constexpr double leap_growth = 10.0;
@@ -29,7 +30,8 @@ constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
 constexpr int most_crossed_units = 200;  ///< beyond them it costs as much as an interior step
 constexpr int crossings_per_contact = 12;
-constexpr int most_crossings = 3000;
+constexpr int most_crossings = 3000;          ///< of the path from open at least
+constexpr int most_crossings_of_many = 1000;  ///< of programs too large for that one
 constexpr int most_proximal_steps = 8;
 constexpr double jamming_force = 1e6;  ///< in weights
 
@@ -178,7 +180,10 @@ bool CoulombStages::follow(const FrictionProgram& friction,
   ModePathEffort effort{
       .delta = pivoting == Pivoting::none ? path_delta : usual_delta,
       .pivoting = pivoting,
-      .most_crossings = std::min(100 + crossings_per_contact * form_.count(), most_crossings)};
+      .most_crossings =
+          friction.contacts.size() > most_from_open
+              ? most_crossings_of_many
+              : std::min(100 + crossings_per_contact * form_.count(), most_crossings)};
   std::vector<Pair> centre(point.l.size(), Pair{});
   for (int k = 0; k < most_proximal_steps; ++k) {
     const ModePathOutcome outcome =
@@ -186,6 +191,7 @@ bool CoulombStages::follow(const FrictionProgram& friction,
             ? mode_path_.run_from_open(form_, modes, point, centre, seed, effort)
             : mode_path_.run(form_, modes, point, centre, seed + k, effort);
     effort.delta = std::max(0.01 * effort.delta, least_path_delta);
+    effort.most_crossings -= outcome.crossings;
     result.crossings += outcome.crossings;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
@@ -196,8 +202,8 @@ bool CoulombStages::follow(const FrictionProgram& friction,
   return false;
 }
 
-/// From a point that is nearly right to one that is: by Newton's method, and where that goes round in
-/// circles by a path.
+/// From a point that is nearly right to one that is: by Newton's method, and where that goes round in circles by a path. The
+/// second kind of path is dearer than another interior point.
 bool CoulombStages::settle(const FrictionProgram& friction,
                            CoulombStage stage,
                            CoulombResult& result) {
@@ -205,6 +211,7 @@ bool CoulombStages::settle(const FrictionProgram& friction,
   const ContactPoint kept_point = point;
   if (harden(friction, large_delta, stage, result)) return true;
   for (const NearSteps steps : {NearSteps::leap, NearSteps::stiffen}) {
+    if (steps == NearSteps::stiffen && stage == CoulombStage::interior) break;
     modes = kept_modes;
     point = kept_point;
     if (follow_near(friction, steps, stage, result)) return true;
@@ -227,14 +234,16 @@ bool CoulombStages::follow_near(const FrictionProgram& friction,
   std::vector<Pair> centre = point.l;
   double leap = 1.0;  // steps at once
   double former = unbounded;
-  ModePathEffort effort{
-      .delta = path_delta, .most_crossings = most_near_crossings, .margin = near_margin};
+  ModePathEffort effort{.delta = path_delta,
+                        .most_crossings = near_crossings + form_.count() / units_per_near_crossing,
+                        .margin = near_margin};
   for (int k = 0; k < (leaping ? most_leaping_steps : most_proximal_steps); ++k) {
     effort.velocity_margin = near_velocity_margin * effort.delta;
     const std::vector<Pair> start = point.l;
     const auto seed = static_cast<std::uint64_t>(k);
     const ModePathOutcome outcome = mode_path_.run(form_, modes, point, centre, seed, effort);
     result.crossings += outcome.crossings;
+    effort.most_crossings -= outcome.crossings;
     if (!outcome.arrived) return false;
     if (judge_point(friction, stage, result)) return true;
     centre = point.l;
