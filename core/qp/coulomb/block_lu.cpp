@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/qp/block/clones.h"
 #include "core/qp/block/column.h"
@@ -22,53 +23,53 @@ inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
   }
 }
 
-/// Three rows [A X] on the way from [A I] to [I A^-1].
-using Rows = double[3][6];
+/// A row of [A X] on the way from [A I] to [I A^-1].
+struct Row {
+  Column left, right;
+};
 
 /// Puts the row with the largest entry in column k in the k-th place; the sign of that exchange, 0 where all are zero.
-int bring_up_pivot(int k, Rows& a) {
+inline int bring_up_pivot(int k, Row (&a)[3]) {
   int best = k;
   for (int r = k + 1; r < 3; ++r)
-    if (std::abs(a[r][k]) > std::abs(a[best][k])) best = r;
-  if (!(std::abs(a[best][k]) > 0.0)) return 0;
+    if (std::abs(a[r].left[k]) > std::abs(a[best].left[k])) best = r;
+  if (!(std::abs(a[best].left[k]) > 0.0)) return 0;
   if (best == k) return 1;
-  for (int c = 0; c < 6; ++c)
-    std::swap(a[k][c], a[best][c]);
+  std::swap(a[k], a[best]);
   return -1;
 }
 
-/// Makes column k one of the identity.
-void eliminate(int k, Rows& a) {
-  const double inverse = 1.0 / a[k][k];
-  for (int c = k; c < 6; ++c)
-    a[k][c] *= inverse;
+/// Makes column k one of the identity; columns before it are not looked at any more.
+inline void eliminate(int k, Row (&a)[3]) {
+  const double inverse = 1.0 / a[k].left[k];
+  a[k].left *= inverse;
+  a[k].right *= inverse;
   for (int r = 0; r < 3; ++r) {
     if (r == k) continue;
-    const double f = a[r][k];
-    for (int c = k; c < 6; ++c)
-      a[r][c] -= f * a[k][c];
+    const double f = a[r].left[k];
+    a[r].left -= f * a[k].left;
+    a[r].right -= f * a[k].right;
   }
 }
 
 /// Inverse of a 3x3 block by Gauss-Jordan with pivoting; returns the sign of its determinant, 0
 /// where it has none.
-int invert(const Quad* A, Quad* X) {
-  Rows a;
+inline int invert(const Quad* A, Quad* X) {
+  Row a[3];
   for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      a[r][c] = A[c].v[r];
-      a[r][c + 3] = r == c ? 1.0 : 0.0;
-    }
+    a[r].left = Column{A[0].v[r], A[1].v[r], A[2].v[r], 0.0};
+    a[r].right = Column{};
+    a[r].right[r] = 1.0;
   }
   int sign = 1;
   for (int k = 0; k < 3; ++k) {
     sign *= bring_up_pivot(k, a);
     if (sign == 0) return 0;
-    if (a[k][k] < 0.0) sign = -sign;
+    if (a[k].left[k] < 0.0) sign = -sign;
     eliminate(k, a);
   }
   for (int c = 0; c < 3; ++c)
-    X[c] = Quad{{a[0][c + 3], a[1][c + 3], a[2][c + 3], 0.0}};
+    X[c] = Quad{{a[0].right[c], a[1].right[c], a[2].right[c], 0.0}};
   return sign;
 }
 
