@@ -261,7 +261,7 @@ class Replay(ProgramTest):
     def test_programs_that_miss_coulombs_law_are_kept(self):
         # A heavy hit inside a jammed wall: what the solver is known not to reach. Once it does, harder ones are to be found.
         hit = {"version": 1, "material": {"friction": 2}, "plane": [FLOOR], "wall": [{"name": "w", "rows": 6, "columns": 6, "base": [0, 0]}],
-               "cube": [{"name": "ball", "position": [-6.2, 3.3], "velocity": [20, 0], "mass": 20}]}
+               "cube": [{"name": "ball", "position": [-6.2, 3.3], "velocity": [20, 0], "mass": 200}]}
         done = self.expect(3, "run", self.scene(hit), "--until", "0.15", "--failed-programs", "p.jsonl", "--json", "--quiet")
         self.assertGreater(json.loads(done.stdout)["audit"]["friction_inexact"], 0)
         replayed = [json.loads(line) for line in self.expect(3, "replay", "p.jsonl", "--json").stdout.splitlines()]
