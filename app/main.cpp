@@ -1,6 +1,7 @@
 #include <csignal>
 
 #include "app/cli/failure.h"
+#include "app/cli/memory_limit.h"
 #include "app/cli/stop_signal.h"
 #include "app/cli/streams.h"
 #include "app/commands/commands.h"
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // NOLINT(cert-err33-c)
   std::signal(SIGXFSZ, SIG_IGN);  // NOLINT(cert-err33-c)
   wuerfel::hold_standard_streams();
+  wuerfel::keep_freed_memory();
   try {
     return static_cast<int>(wuerfel::run_command({argv + 1, argv + argc}, since_start));
   } catch (const wuerfel::Interrupted& interrupted) {

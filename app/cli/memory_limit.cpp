@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <fmt/core.h>
@@ -29,6 +30,14 @@ double resident_memory() {
 }
 
 }  // namespace
+
+void keep_freed_memory() {
+#ifdef M_TRIM_THRESHOLD
+  constexpr int kept = 256 << 20;  // bytes
+  static_cast<void>(mallopt(M_TRIM_THRESHOLD, kept));
+  static_cast<void>(mallopt(M_MMAP_THRESHOLD, kept));
+#endif
+}
 
 void limit_memory(double bytes) { limit = bytes; }
 

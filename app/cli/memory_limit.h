@@ -1,4 +1,4 @@
-/// How much memory the program may hold: what --max-memory says.
+/// How much memory the program holds, and may hold: what --max-memory says.
 #pragma once
 
 #include <stdexcept>
@@ -10,6 +10,10 @@ class MemoryExceeded : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// What is freed is kept for the next frame and the next solver. Handing megabytes back to the system in between takes
+/// up to a fifth of the processor time of films and of large scenes.
+void keep_freed_memory();
 
 /// From now on, for the whole program: `bytes` of resident memory.
 void limit_memory(double bytes);

@@ -1,6 +1,5 @@
 #include "app/film/film.h"
 
-#include <malloc.h>
 #include <utility>
 
 #include <fmt/core.h>
@@ -9,18 +8,6 @@
 #include "core/scene/scene_parser.h"
 
 namespace wuerfel {
-namespace {
-
-/// Every frame takes megabytes and frees them again. Handing them back to the system in between would take up to a fifth
-/// of the processor time of a film.
-void keep_freed_memory() {
-#ifdef M_TRIM_THRESHOLD
-  constexpr int kept = 256 << 20;  // bytes
-  static_cast<void>(mallopt(M_TRIM_THRESHOLD, kept));
-#endif
-}
-
-}  // namespace
 
 Film::Film(const PictureOptions& picture,
            const FrameRate& rate,
@@ -32,7 +19,6 @@ Film::Film(const PictureOptions& picture,
 }
 
 void Film::open_pipeline() {
-  keep_freed_memory();
   fitted_ = fit_to_motion(picture_, recording_);
   fitted_.legend = legend_of(fitted_, recording_.seen());
   const std::string settings = fmt::format("{} --fps {} --speed {} {}", option_text(fitted_),
