@@ -29,8 +29,9 @@ struct Skips {
   bool rest = true;     ///< what rests with a certificate is not touched until a neighbour changes
   /// An island's former answer is taken where it still passes the optimality test.
   bool certificate = true;
-  bool warm_start = true;  ///< solvers start from what they remember of the island
-  bool looks = true;       ///< forces of what is as it was at the last look are not found again
+  bool warm_start = true;     ///< solvers start from what they remember of the island
+  bool resting_steps = true;  ///< no programs in steps for islands that rest, until somebody comes
+  bool looks = true;          ///< forces of what is as it was at the last look are not found again
 };
 
 struct MotionSettings {

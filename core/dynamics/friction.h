@@ -41,6 +41,8 @@ class FrictionDynamics {
   IslandSolution placement(const State& state,
                            const Island& island,
                            std::span<const Twist> targets);
+  /// What is remembered of the motions of an island.
+  void forget(const Island& island) { motions_.erase(island.cubes.front()); }
   /// Lets the last program be kept if the solution that is used misses Coulomb's law. Of placements the caller knows whether
   /// it is; the others do so themselves.
   void keep_if_missed(const IslandSolution& solution) const;

@@ -115,6 +115,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Switch{"looks", &Skips::looks, look_solves}),
     [](const auto& test) { return std::string(test.param.name); });
 
+/// Dominoes far enough apart that only neighbours meet: the last ones stand while the first ones fall.
+Scene standing() {
+  Scene scene = shipped_scene("dominoes_100");
+  scene.cubes.resize(20);
+  return scene;
+}
+
+TEST(Skips, OfStepsOfWhatRestsLeaveEveryBitAsItIs) {
+  MotionSettings without;
+  without.skips.resting_steps = false;
+  Simulation a(standing(), {});
+  Simulation b(standing(), without);
+  a.advance_to(1.0);
+  b.advance_to(1.0);
+  EXPECT_EQ(a.state_hash(), b.state_hash());
+  EXPECT_EQ(a.cost().steps, b.cost().steps);
+  EXPECT_EQ(a.events().size(), b.events().size());
+  EXPECT_EQ(a.audit().missed_solves, b.audit().missed_solves);
+  EXPECT_LT(2 * a.cost().qp_solves, b.cost().qp_solves);
+}
+
 TEST(Skips, AreCountedByReason) {
   Simulation simulation(mixed(), {});
   simulation.advance_to(0.5);

@@ -13,8 +13,9 @@ struct TakenStep {
       : m(scene),
         work(m.system, {}, step_tolerances),
         removal(work),
-        placement(work, removal),
-        landing(work, removal),
+        resting(work),
+        placement(work, removal, resting),
+        landing(work, removal, resting),
         stride{h, scales_of(m.system, m.state), m.state, m.state, {}, {}} {
     stride.rods_first.assign(m.system.rods.size(), 0.0);
     stride.rods_second.assign(m.system.rods.size(), 0.0);
@@ -39,6 +40,7 @@ struct TakenStep {
   Mechanism m;
   Workspace work;
   OverlapRemoval removal;
+  RestingIslands resting;
   Placement placement;
   Landing landing;
   Stride stride;

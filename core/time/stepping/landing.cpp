@@ -16,8 +16,8 @@ constexpr double bounce_steps = 1.0;
 
 }  // namespace
 
-Landing::Landing(Workspace& work, OverlapRemoval& removal)
-    : system_(work.system), work_(&work), removal_(&removal) {}
+Landing::Landing(Workspace& work, OverlapRemoval& removal, RestingIslands& resting)
+    : system_(work.system), work_(&work), removal_(&removal), resting_(&resting) {}
 
 void Landing::find_touching(Stride& stride, const State& state, Bookkeeping& book) {
   stride_ = &stride;
@@ -103,14 +103,33 @@ bool Landing::is_faster_than_free(const Island& island, const State& state) cons
 void Landing::strike(State& state, Bookkeeping& book) {
   if (system_->bounces) strike_anew(state);
   hit(state, book);
+  resting_->find(*stride_, islands_, state);
+}
+
+/// Whether nobody has come to an island that has not moved: what is left of gravity is held.
+bool Landing::rests(const Island& island, State& state) {
+  const RestingIsland* resting = resting_->skipped(island, stride_->start);
+  if (resting == nullptr || !rests_at(*resting, stride_->half) || !is_at(*resting, state))
+    return false;
+  for (const int cube : resting->cubes)
+    stop(state[cube]);
+  for (std::size_t k = 0; k < resting->contacts.size(); ++k) {
+    const Contact& c = resting->contacts[k];
+    Blow& blow = stride_->blows.emplace(c.id(), Blow{c, c}).first->second;
+    blow.second = 0.5 * stride_->h * resting->forces[k];
+  }
+  return true;
 }
 
 /// The impact law over all that touches, one island after the other.
 void Landing::hit(State& state, Bookkeeping& book) {
-  std::vector<Island> islands;
-  find_islands(*system_, contacts_, islands);
+  find_islands(*system_, contacts_, islands_);
   const double slow = bounce_steps * stride_->scales.gravity * stride_->h;
-  for (const Island& island : islands) {
+  for (const Island& island : islands_) {
+    if (rests(island, state)) {
+      ++book.cost.skipped_rest;
+      continue;
+    }
     if (!closes(*system_, state, island)) continue;
     const IslandSolution after =
         impact(*system_, state, island, slow, work_->dynamics, work_->friction).after;

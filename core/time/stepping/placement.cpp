@@ -23,8 +23,8 @@ double slip_of(const System& system, const Contact& start, const Contact& end) {
 
 }  // namespace
 
-Placement::Placement(Workspace& work, OverlapRemoval& removal)
-    : system_(work.system), work_(&work), removal_(&removal) {}
+Placement::Placement(Workspace& work, OverlapRemoval& removal, const RestingIslands& resting)
+    : system_(work.system), work_(&work), removal_(&removal), resting_(&resting) {}
 
 /// To the place nearest to free flight, with the impulses that lead there.
 State Placement::find(Stride& stride, Bookkeeping& book) {
@@ -108,7 +108,22 @@ void Placement::note_pressed(const Island& island, const IslandSolution& solutio
   }
 }
 
+/// Contacts hold what gravity does.
+void Placement::rest(const RestingIsland& island, State& state) {
+  for (const int cube : island.cubes)
+    state[cube] = stride_->half[cube] = stride_->start[cube];
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    stride_->blows[c.id()] = {c, c, 0.5 * stride_->h * island.forces[k], Vec2::Zero()};
+  }
+}
+
 void Placement::place_island(const Island& island, State& state, Bookkeeping& book) {
+  if (const RestingIsland* resting = resting_->skipped(island, stride_->start)) {
+    rest(*resting, state);
+    ++book.cost.skipped_rest;
+    return;
+  }
   // Where free flight touches nothing and no rod holds there is nothing to solve.
   const bool free =
       island.rods.empty() && std::ranges::none_of(island.contacts, [&](const Contact& c) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/time/stepping/overlap_removal.h"
+#include "core/time/stepping/resting_islands.h"
 #include "core/time/stepping/stride.h"
 
 namespace wuerfel {
@@ -12,11 +13,12 @@ namespace wuerfel {
 class Placement {
  public:
   /// `removal` knows the start of the step.
-  Placement(Workspace& work, OverlapRemoval& removal);
+  Placement(Workspace& work, OverlapRemoval& removal, const RestingIslands& resting);
   /// Where the cubes come. Velocities between the halves, impulses and blows of the first half are put into the stride.
   State find(Stride& stride, Bookkeeping& book);
 
  private:
+  void rest(const RestingIsland& island, State& state);
   void place_island(const Island& island, State& state, Bookkeeping& book);
   IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Bookkeeping& book);
   void bend(const Island& island,
@@ -34,6 +36,7 @@ class Placement {
   const System* system_;
   Workspace* work_;
   OverlapRemoval* removal_;
+  const RestingIslands* resting_;
   Stride* stride_ = nullptr;
   /// Where cubes have come in the first placement, and a state whose velocities are their displacements: what rows
   /// times a displacement are read from.

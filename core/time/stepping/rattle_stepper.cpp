@@ -18,8 +18,9 @@ RattleStepper::RattleStepper(const System& system, const MotionSettings& setting
     : system_(&system),
       work_(system, settings, step_tolerances),
       removal_(work_),
-      placement_(work_, removal_),
-      landing_(work_, removal_),
+      resting_(work_),
+      placement_(work_, removal_, resting_),
+      landing_(work_, removal_, resting_),
       closed_(system),
       sway_(sway) {}
 

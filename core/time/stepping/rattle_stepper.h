@@ -73,6 +73,7 @@ class RattleStepper {
   const System* system_;
   Workspace work_;
   OverlapRemoval removal_;
+  RestingIslands resting_;
   Placement placement_;
   Landing landing_;
   ClosedContacts closed_;

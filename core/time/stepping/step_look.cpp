@@ -39,6 +39,11 @@ bool is_smooth(
          <= most_missed * size(to.velocity - from.velocity, to.spin - from.spin);
 }
 
+/// Whether a cube stood in a step.
+bool stood(const BodyState& from, const BodyState& to) {
+  return is_still(from) && is_still(to) && from.position == to.position && from.angle == to.angle;
+}
+
 /// A blow, by what it changes of a cube's velocities.
 struct Jump {
   double share = 0.0;
@@ -158,6 +163,8 @@ void StepLook::set_velocities(const State& from,
   for (std::size_t i = 0; i < state.size(); ++i) {
     state[i].velocity += share * (to[i].velocity - end[i].velocity);
     state[i].spin += share * (to[i].spin - end[i].spin);
+    // What stood is not moved by what rounding leaves of its impulses.
+    if (stood(from[i], to[i])) stop(state[i]);
   }
 }
 
