@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/trig.h"
 #include "core/statics/generators.h"
 #include "core/statics/loads.h"
 #include "core/statics/move_margins.h"
@@ -180,7 +181,7 @@ void find_of_bodies(const StillScene& still,
 
 TiltMargin tilt_angles(const LoadRange& tangents) {
   const auto angle = [](double tangent) {
-    return tangent == unbounded ? unbounded : std::atan(tangent);
+    return tangent == unbounded ? unbounded : atan2(tangent, 1.0);
   };
   return {angle(-tangents.low), angle(tangents.high)};
 }

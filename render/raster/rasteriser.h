@@ -6,7 +6,7 @@
 namespace wuerfel {
 
 enum class Rasteriser {
-  scan_lines,  ///< our own: the same pixels on every machine
+  scan_lines,  ///< our own: a list has the same pixels on every machine
   osmesa,      ///< OpenGL shaders on OSMesa's llvmpipe: no pixel differs by more than rounding
 };
 

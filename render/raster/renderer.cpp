@@ -92,6 +92,7 @@ void fill_exactly(const DrawList& list, Image& image) {
         std::abs(box.axis.x) * box.half_size.x + std::abs(box.axis.y) * box.half_size.y;
     const float reach_y =
         std::abs(box.axis.y) * box.half_size.x + std::abs(box.axis.x) * box.half_size.y;
+    if (!std::isfinite(box.center.x + box.center.y + reach_x + reach_y)) continue;
     const auto pixel = [](float at, int end) {
       return static_cast<int>(std::clamp(std::floor(at), 0.0F, static_cast<float>(end)));
     };
@@ -126,6 +127,7 @@ RowSet Renderer::draw(const DrawList& list, Image& image, const std::optional<Ro
   const bool is_new = image.width() != list.width || image.height() != list.height;
   if (is_new) image = Image(list.width, list.height);
   if (list.exact) {
+    last_.reset();
     fill_exactly(list, image);
     return all;
   }

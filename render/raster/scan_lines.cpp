@@ -101,6 +101,7 @@ void draw_shape(const SegmentShape& segment, const RowRange& rows, Image& image)
   draw_area(SegmentArea(segment), RowPainter({}, segment.color), extent(segment), rows, image);
 }
 void draw_shape(const ArrowShape& arrow, const RowRange& rows, Image& image) {
+  if (arrow.tail == arrow.tip) return;  // it has no direction
   draw_area(ArrowArea(arrow), RowPainter({}, arrow.color), extent(arrow), rows, image);
 }
 void draw_shape(const DiscShape& disc, const RowRange& rows, Image& image) {

@@ -1,6 +1,6 @@
 /// Draws shapes by the processor, row by row: our own rasteriser. Coverage is that of the distance to
 /// the edge, as in the shaders of OSMesa, but computed at edges alone; what lies inside is filled.
-/// Nothing but the arithmetic of IEEE 754 decides, so that pixels are equal on every machine.
+/// Nothing but the arithmetic of IEEE 754 decides, so that the pixels of a list are equal on every machine.
 #pragma once
 
 #include "render/picture/draw_list.h"

@@ -38,7 +38,7 @@ void start(const ContactForm& form, const ConeInteriorEffort& effort, ConeIterat
     for (int k = 1; k < p.count; ++k)
       p.force[k] = unit.mu * p.force[0];
     for (int k = 0; k < p.count; ++k) {
-      if (effort.spread > 0.0) p.weight[k] = std::exp(effort.spread * (2.0 * dice.next() - 1.0));
+      if (effort.spread > 0.0) p.weight[k] = dice.next_factor(effort.spread);
       p.slack[k] = p.weight[k] * size * size / p.force[k];
     }
     at.point.l[i].n = p.force[0];

@@ -9,6 +9,7 @@
 
 #include "core/qp/coulomb/contact_memory.h"
 #include "core/qp/coulomb/coulomb_solver.h"
+#include "core/qp/coulomb/dice.h"
 #include "tests/support/friction_zoo.h"
 #include "tests/support/laid_bricks.h"
 
@@ -241,6 +242,17 @@ TEST(Coulomb, ModesOutliveProgramsWithoutTheirContact) {
   recalled = unknown;
   EXPECT_TRUE(memory.recall(form, keys, 1.0, recalled, forces));
   EXPECT_EQ(recalled, unknown);  // too long ago
+}
+
+TEST(StartingPoints, AreFactorsOfTheExponentialFunction) {
+  wuerfel::Dice dice(3);
+  wuerfel::Dice same(3);
+  for (const double spread : {0.0, 0.5, 3.0, 8.0}) {
+    for (int k = 0; k < 100; ++k) {
+      const double expected = std::exp(spread * (2.0 * same.next() - 1.0));
+      EXPECT_NEAR(dice.next_factor(spread) / expected, 1.0, 1e-7);
+    }
+  }
 }
 
 }  // namespace

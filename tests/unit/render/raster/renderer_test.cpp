@@ -159,6 +159,26 @@ TEST(Renderer, DiscHasItsArea) {
   EXPECT_NEAR(ink(draw(list)), 3.14159265 * 17.0 * 17.0, 2.0);
 }
 
+TEST(Renderer, ArrowOfNoLengthHasNoDirectionAndIsNotDrawn) {
+  DrawList list = empty_list();
+  list.add(ArrowShape{{40.5F, 40.5F}, {40.5F, 40.5F}, 1.5F, 12.0F, 5.0F, 2.0F, rgb(0x000000)});
+  EXPECT_EQ(draw(list), draw(empty_list()));
+}
+
+TEST(Renderer, WholePixelsInBetweenAreForgotten) {
+  DrawList list = empty_list();
+  list.add(box(40.0F, 40.0F, 20.0F, 20.0F));
+  DrawList exact = empty_list();
+  exact.exact = true;
+  exact.add(box(60.0F, 20.0F, 9.0F, 9.0F));
+  Image image;
+  Renderer renderer;
+  renderer.draw(list, image);
+  renderer.draw(exact, image);
+  renderer.draw(list, image, RowSet());
+  EXPECT_EQ(image, draw(list));
+}
+
 TEST(Renderer, LaterShapesLieAboveEarlierOnes) {
   DrawList list = empty_list();
   list.add(box(40.0F, 40.0F, 20.0F, 20.0F));
