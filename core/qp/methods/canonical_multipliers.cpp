@@ -98,6 +98,17 @@ void balance_rows(const QuadraticProgram& program,
     tight.weight.push_back(largest(w));
 }
 
+/// The tight rows that carry force in a solution: most of them do so in that of least norm, too.
+std::vector<char> loaded_rows(const std::vector<int>& rows, const std::vector<double>& multiplier) {
+  double most = 0.0;
+  for (const int row : rows)
+    most = std::max(most, std::abs(multiplier[row]));
+  std::vector<char> loaded;
+  for (const int row : rows)
+    loaded.push_back(std::abs(multiplier[row]) > loaded_share * most ? 1 : 0);
+  return loaded;
+}
+
 /// An arbitrary vector on its way onto those v with G' v = 0, and room for one step of it.
 struct Probe {
   std::vector<double> v, part;
@@ -211,7 +222,7 @@ LeastNormMultipliers canonical_multipliers(const QuadraticProgram& program,
   tight.row = find_tight_rows(program, x, meter, result.multiplier);
   balance_rows(program, x, result.multiplier, tight);
   LeastNormMethod least_norm;
-  least_norm.run(tight.problem, tight.force, tight.weight);
+  least_norm.run(tight.problem, tight.force, tight.weight, {}, loaded_rows(tight.row, multiplier));
   for (std::size_t k = 0; k < tight.row.size(); ++k)
     result.multiplier[tight.row[k]] = least_norm.multiplier()[k];
   result.misfit = meter.imbalance(program, x, result.multiplier);

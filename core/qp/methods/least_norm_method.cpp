@@ -30,8 +30,9 @@ bool is_inside_after(double low, double high, double rate) {
 LeastNormOutcome LeastNormMethod::run(LeastDistance& problem,
                                       const std::vector<Quad>& target,
                                       const std::vector<double>& weight,
-                                      const std::vector<double>& origin) {
-  start(problem, origin);
+                                      const std::vector<double>& origin,
+                                      const std::vector<char>& inside) {
+  start(problem, origin, inside);
   evaluate(problem, target);
   double best = unbounded;
   int lost = 0;
@@ -68,8 +69,10 @@ void LeastNormMethod::move(double length) {
     at_.raw[i] += length * step_.Gd[i];
 }
 
-/// z = 0, with all rows taken to be inside of their ranges.
-void LeastNormMethod::start(LeastDistance& problem, const std::vector<double>& origin) {
+/// z = 0, with all rows taken to be inside of their ranges, or those given.
+void LeastNormMethod::start(LeastDistance& problem,
+                            const std::vector<double>& origin,
+                            const std::vector<char>& inside) {
   const int rows = problem.rows();
   at_.raw.assign(rows, 0.0);
   if (!origin.empty()) at_.raw = origin;
@@ -84,7 +87,7 @@ void LeastNormMethod::start(LeastDistance& problem, const std::vector<double>& o
   for (int i = 0; i < rows; ++i) {
     const double square = problem.square()[i];
     if (square == 0.0) continue;
-    active_[i] = 1;
+    active_[i] = inside.empty() ? 1 : inside[i];
     least = std::min(least, square);
     most = std::max(most, square);
   }

@@ -24,11 +24,13 @@ struct LeastNormOutcome {
 class LeastNormMethod {
  public:
   /// `target` and `weight` (the least scale of a block; scales grow with the forces of its rows) are
-  /// in the numbering of `problem`. `origin` is empty (zeros) or one per row.
+  /// in the numbering of `problem`. `origin` is empty (zeros) or one per row. `inside`: rows that are likely
+  /// to be inside of their ranges; empty: all.
   LeastNormOutcome run(LeastDistance& problem,
                        const std::vector<Quad>& target,
                        const std::vector<double>& weight,
-                       const std::vector<double>& origin = {});
+                       const std::vector<double>& origin = {},
+                       const std::vector<char>& inside = {});
 
   [[nodiscard]] const std::vector<double>& multiplier() const { return best_; }
   /// Per row: the smaller of the largest forces on its blocks.
@@ -46,7 +48,9 @@ class LeastNormMethod {
     std::vector<Quad> d;     ///< K^-1 rest
     std::vector<double> Gd;  ///< rho G d
   };
-  void start(LeastDistance& problem, const std::vector<double>& origin);
+  void start(LeastDistance& problem,
+             const std::vector<double>& origin,
+             const std::vector<char>& inside);
   void find_scales(const LeastDistance& problem, const std::vector<double>& weight);
   void evaluate(const LeastDistance& problem, const std::vector<Quad>& target);
   bool find_active(const LeastDistance& problem);
