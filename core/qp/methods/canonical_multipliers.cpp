@@ -103,9 +103,10 @@ std::vector<char> loaded_rows(const std::vector<int>& rows, const std::vector<do
   double most = 0.0;
   for (const int row : rows)
     most = std::max(most, std::abs(multiplier[row]));
-  std::vector<char> loaded;
-  for (const int row : rows)
-    loaded.push_back(std::abs(multiplier[row]) > loaded_share * most ? 1 : 0);
+  std::vector<char> loaded(rows.size());
+  std::ranges::transform(rows, loaded.begin(), [&](int row) {
+    return std::abs(multiplier[row]) > loaded_share * most ? 1 : 0;
+  });
   return loaded;
 }
 
