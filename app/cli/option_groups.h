@@ -18,15 +18,16 @@
 
 namespace wuerfel {
 
-/// An option that takes the name of an enumerator.
+/// An option that takes the name of an enumerator; messages use the first of its `names`.
 template <typename Enum>
 void add_choice(Options& options,
-                const std::string& name,
+                const std::string& names,
                 const std::string& meaning,
                 Enum& value) {
+  const std::string name = names.substr(0, names.find(','));
   const std::string help =
       fmt::format("{}: {} [{}]", meaning, join_choices(choices<Enum>()), to_string(value));
-  options.single(name, "NAME", help, [name, &value](const std::string& text) {
+  options.single(names, "NAME", help, [name, &value](const std::string& text) {
     value = parse_choice<Enum>(name, text);
   });
   options.offer(name, choices<Enum>());
