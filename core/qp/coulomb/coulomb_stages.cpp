@@ -66,9 +66,7 @@ bool CoulombStages::rows_hold() const {
 
 bool CoulombStages::certificate(const FrictionProgram& friction, CoulombResult& result) {
   point.recompute(form_);
-  const bool passed = rows_hold() && judge_point(friction, CoulombStage::certificate, result);
-  if (!passed) point.reset(form_);
-  return passed;
+  return rows_hold() && judge_point(friction, CoulombStage::certificate, result);
 }
 
 ModeNewtonEffort CoulombStages::newton_effort(double delta, int most_factorisations) const {
