@@ -106,12 +106,13 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
     restitution.push_back(rate < -slow ? system_->surface(c.on, c.from).restitution : 0.0);
   }
   ImpactResult result;
+  FrictionProgram friction = builder_.friction_program();
+  friction.force_unit = step_;
   CoulombSolver& solver = solver_of(island, motions_);
   if (std::ranges::all_of(restitution, [](double e) { return e == 0.0; })) {
-    solver.solve(builder_.friction_program(), result.solution, keys_of(island));
+    solver.solve(friction, result.solution, keys_of(island));
   } else {
-    impact_with_restitution(solver, builder_.friction_program(), restitution, closing, result,
-                            keys_of(island));
+    impact_with_restitution(solver, friction, restitution, closing, result, keys_of(island));
   }
   IslandSolution solution = read(state, island, result.solution);
   solution.restitution_factor = result.factor;
@@ -146,8 +147,10 @@ IslandSolution FrictionDynamics::placement(const State& state,
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   builder_.position(state, island, use, targets);
   builder_.add_friction(state, island, use, Order::position);
+  FrictionProgram friction = builder_.friction_program();
+  friction.force_unit = step_ * step_;
   CoulombResult result;
-  solver_of(island, motions_).solve(builder_.friction_program(), result, keys_of(island));
+  solver_of(island, motions_).solve(friction, result, keys_of(island));
   return read(state, island, result);
 }
 

@@ -19,6 +19,8 @@ bool bounces(const System& system, const Island& island);
 class FrictionDynamics {
  public:
   FrictionDynamics(const System& system, const MotionSettings& settings);
+  /// Impacts and placements to come belong to steps of h s.
+  void begin_step(double h) { step_ = h; }
 
   /// Accelerations and forces under the contacts that `use` says, one entry per contact. `slides`:
   /// known directions of slip, else 0. May be infeasible where some are known (Painleve).
@@ -56,6 +58,7 @@ class FrictionDynamics {
 
   const System* system_;
   MotionSettings settings_;
+  double step_ = 0.0;  ///< s; 0: none
   ProgramBuilder builder_;
   std::unique_ptr<RestProgram> rest_;  ///< made when first needed
   Solvers accelerations_;

@@ -31,12 +31,12 @@ const ContactMemory::Unit* ContactMemory::find(int unit,
 
 bool ContactMemory::recall(const ContactForm& form,
                            std::span<const std::uint64_t> keys,
-                           double weight,
+                           double force_unit,
                            std::vector<ContactMode>& modes,
                            std::vector<Pair>& l) const {
   const bool same_count = static_cast<int>(units_.size()) == form.count();
   if (units_.empty() || (keys.empty() ? keyed_ > 0 || !same_count : keyed_ == 0)) return false;
-  const double scale = weight > 0.0 && weight_ > 0.0 ? weight / weight_ : 1.0;
+  const double scale = force_unit > 0.0 && force_unit_ > 0.0 ? force_unit / force_unit_ : 1.0;
   for (int i = 0; i < form.count(); ++i) {
     const Unit* unit = find(i, keys);
     if (unit == nullptr || !fits(form.units()[i], unit->mode)) continue;
@@ -60,7 +60,7 @@ std::vector<ContactMemory::Unit> ContactMemory::others(std::span<const std::uint
 }
 
 void ContactMemory::remember(std::span<const std::uint64_t> keys,
-                             double weight,
+                             double force_unit,
                              const std::vector<ContactMode>& modes,
                              const std::vector<Pair>& l) {
   std::vector<Unit> units;
@@ -69,7 +69,7 @@ void ContactMemory::remember(std::span<const std::uint64_t> keys,
   for (std::size_t i = 0; i < modes.size(); ++i)
     units.push_back({i < keys.size() ? keys[i] : 0, modes[i], l[i]});
   units_ = std::move(units);
-  weight_ = weight;
+  force_unit_ = force_unit;
   std::ranges::sort(units_.begin(), units_.begin() + keyed_, {}, &Unit::key);
 }
 

@@ -12,16 +12,15 @@ namespace wuerfel {
 class ContactMemory {
  public:
   /// Those of the contacts that were there in one of the last programs: found by their keys, or, without keys, all of
-  /// them if there are as many units as before. Others keep the modes given, and no force. Forces grow as `weight`, the
-  /// largest of the program's, does: of displacements and of velocities they differ by the step. False if nothing was
-  /// remembered.
+  /// them if there are as many units as before. Others keep the modes given, and no force. Forces grow as `force_unit` does.
+  /// False if nothing was remembered.
   bool recall(const ContactForm& form,
               std::span<const std::uint64_t> keys,
-              double weight,
+              double force_unit,
               std::vector<ContactMode>& modes,
               std::vector<Pair>& l) const;
   void remember(std::span<const std::uint64_t> keys,
-                double weight,
+                double force_unit,
                 const std::vector<ContactMode>& modes,
                 const std::vector<Pair>& l);
   void forget() { units_.clear(); }
@@ -38,7 +37,7 @@ class ContactMemory {
 
   std::vector<Unit> units_;  ///< by key, those without one behind
   int keyed_ = 0;
-  double weight_ = 0.0;  ///< of the last program
+  double force_unit_ = 0.0;  ///< of the last program
 };
 
 }  // namespace wuerfel

@@ -77,6 +77,7 @@ struct CoulombSolver::Work {
 
   CoulombStages stages;
   ContactMemory memory;
+  double force_unit = 0.0;  ///< of the program
 };
 
 CoulombSolver::CoulombSolver(const CoulombSettings& settings)
@@ -103,12 +104,13 @@ void CoulombSolver::solve(const FrictionProgram& friction,
     return;
   }
   w.stages.prepare(friction);
+  w.force_unit = friction.force_unit > 0.0 ? friction.force_unit : w.stages.weight();
   const bool solved = w.find(friction, keys, result);
   if (!solved) w.stages.take(result.multiplier);
   result.status = solved ? QpStatus::optimal : QpStatus::inaccurate;
   if (any_slides(friction) && (!solved || w.stages.jams(friction, result)))
     result.status = QpStatus::infeasible;
-  w.memory.remember(keys, w.stages.weight(), w.stages.modes, w.stages.forces());
+  w.memory.remember(keys, w.force_unit, w.stages.modes, w.stages.forces());
 }
 
 /// Modes and forces from memory; false if there are none.
@@ -120,7 +122,7 @@ bool CoulombSolver::Work::start(std::span<const std::uint64_t> keys) {
     const ContactUnit& unit = form.units()[i];
     stages.modes[i] = is_apart(unit) ? ContactMode::open : CoulombStages::first_mode(unit);
   }
-  return memory.recall(form, keys, stages.weight(), stages.modes, stages.point.l);
+  return memory.recall(form, keys, force_unit, stages.modes, stages.point.l);
 }
 
 /// Where slips are known nothing is convex, and the solution nearest to the former modes comes first.

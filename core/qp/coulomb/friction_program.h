@@ -29,6 +29,9 @@ struct FrictionContact {
 struct FrictionProgram {
   const QuadraticProgram& program;
   std::vector<FrictionContact> contacts;
+  /// What forces that hold the same weights grow as from one program to the next, for solvers that remember: h of velocities
+  /// and h^2 of displacements in steps of h; 0: as the largest weight does, which what moves changes.
+  double force_unit = 0.0;
 };
 
 }  // namespace wuerfel

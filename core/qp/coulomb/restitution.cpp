@@ -37,7 +37,7 @@ void impact_with_restitution(CoulombSolver& solver,
       const double bounce = restitution[i] * std::max(-normal_velocity[i], 0.0);
       program.bound[row] = friction.program.bound[row] + factor * bounce;
     }
-    solver.solve({program, friction.contacts}, found, keys);
+    solver.solve({program, friction.contacts, friction.force_unit}, found, keys);
     solved = found.status == QpStatus::optimal;
     const bool passed = solved && energy(program, found.x) <= before * (1.0 + energy_noise);
     if (passed || step == 0) {

@@ -48,6 +48,7 @@ Step RattleStepper::step(const State& state, double t, double h) {
   stride_.rods_first.assign(system_->rods.size(), 0.0);
   stride_.rods_second.assign(system_->rods.size(), 0.0);
   removal_.begin(state, h);
+  work_.friction.begin_step(h);
   step.state = placement_.find(stride_, step.book);
   flown_ = step.state;
   cleaned_ = removal_.clean_up(step.state, step.book);
