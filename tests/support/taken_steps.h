@@ -11,7 +11,7 @@ namespace wuerfel::test {
 struct TakenStep {
   explicit TakenStep(const Scene& scene)
       : m(scene),
-        work(m.system, {}, step_tolerances),
+        work(m.system, {}, step_tolerances(m.system)),
         removal(work),
         resting(work),
         placement(work, removal, resting),

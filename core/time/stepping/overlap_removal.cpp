@@ -27,6 +27,11 @@ constexpr int most_halvings = 50;
 
 }  // namespace
 
+ProgramTolerances step_tolerances(const System& system) {
+  const double correction = system.rubs ? QpSettings{}.tolerance : 1e-3;
+  return {.impact = 1e-6, .correction = correction, .placement = 1e-5};
+}
+
 void OverlapRemoval::begin(const State& start, double h) {
   scales_ = scales_of(*system_, start);
   h_ = h;

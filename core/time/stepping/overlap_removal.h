@@ -20,9 +20,9 @@ inline constexpr double overlap_share = 2e-10;
 inline constexpr double near_share = 1e-2;
 
 /// How exactly the programs of a step are solved: it is as exact as its length allows, not as its
-/// programs are. Steps of Newton's method only have to get out of the overlap.
-inline constexpr ProgramTolerances step_tolerances{
-    .impact = 1e-6, .correction = 1e-3, .placement = 1e-5};
+/// programs are. Steps of Newton's method only have to get out of the overlap, but where bodies rub what rests is to be left
+/// where it is: a solution in the inside opens all gaps of its island, and what held has to find its hold anew.
+ProgramTolerances step_tolerances(const System& system);
 
 class OverlapRemoval {
  public:

@@ -16,7 +16,7 @@ namespace wuerfel {
 
 RattleStepper::RattleStepper(const System& system, const MotionSettings& settings, double sway)
     : system_(&system),
-      work_(system, settings, step_tolerances),
+      work_(system, settings, step_tolerances(system)),
       removal_(work_),
       resting_(work_),
       placement_(work_, removal_, resting_),

@@ -97,7 +97,9 @@ MotionSettings without_memory(MotionSettings settings) {
 }  // namespace
 
 StepLook::StepLook(const System& system, const MotionSettings& settings)
-    : system_(&system), work_(system, without_memory(settings), step_tolerances), removal_(work_) {}
+    : system_(&system),
+      work_(system, without_memory(settings), step_tolerances(system)),
+      removal_(work_) {}
 
 /// Places on the way from one state to the other.
 State StepLook::between(

@@ -10,7 +10,7 @@ namespace {
 
 TEST(OverlapRemoval, CleansUpByTheLeastThatIsNeeded) {
   const Mechanism m(side_by_side(0.0));
-  Workspace work(m.system, {}, step_tolerances);
+  Workspace work(m.system, {}, step_tolerances(m.system));
   OverlapRemoval removal(work);
   removal.begin(m.state, 0.01);
   State state = m.state;
@@ -29,7 +29,7 @@ TEST(OverlapRemoval, CleansUpByTheLeastThatIsNeeded) {
 
 TEST(OverlapRemoval, WhatDoesNotOverlapIsLeftAlone) {
   const Mechanism m(side_by_side(0.0));
-  Workspace work(m.system, {}, step_tolerances);
+  Workspace work(m.system, {}, step_tolerances(m.system));
   OverlapRemoval removal(work);
   removal.begin(m.state, 0.01);
   State state = m.state;
@@ -45,7 +45,7 @@ TEST(OverlapRemoval, RetreatHalvesTheWayOfThoseThatOverlap) {
   Scene scene = side_by_side(0.1);
   scene.cubes.push_back(cube("far", {9.0, 0.0}));
   const Mechanism m(scene);
-  Workspace work(m.system, {}, step_tolerances);
+  Workspace work(m.system, {}, step_tolerances(m.system));
   OverlapRemoval removal(work);
   removal.begin(m.state, 0.01);
   State state = m.state;
