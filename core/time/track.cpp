@@ -207,14 +207,14 @@ void Track::step(double limit) {
 
 /// Where events still crowd more stepping saves the attempt.
 void Track::go_on_or_hand_back() {
+  const bool slow = is_slower_than(*system_, steps_->state(), slowest_motion * scales_.speed);
   if (only_steps_ || policy_.only_steps) {
     until_ = crowding_.frames_after(clock_, longest_step);
-    stepping_ = !rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_);
+    stepping_ = !(slow && rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_));
     return;
   }
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
-  if (crowding_.calm()
-      && (few || is_slower_than(*system_, steps_->state(), slowest_motion * scales_.speed))) {
+  if (crowding_.calm() && (few || slow)) {
     hand_back();
   } else {
     until_ = crowding_.frames_after(clock_, longest_step);
