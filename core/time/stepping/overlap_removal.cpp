@@ -49,7 +49,7 @@ double OverlapRemoval::margin(const Contact& c, double move) const {
 
 /// Margins, per contact: the largest push that the overlaps of an island ask for goes through all of it. What it meets
 /// moves, the lighter the farther, but by no more than there is overlap, and turns by as much. Against friction only gaps
-/// of what overlaps itself are opened.
+/// of what overlaps itself are opened, so that what rests stays where it is.
 Restricted OverlapRemoval::apart(Island island) const {
   const auto ease_of = [&](int body) {
     return system_->is_cube(body) ? 1.0 / system_->body(body).mass : 0.0;
@@ -69,7 +69,8 @@ Restricted OverlapRemoval::apart(Island island) const {
   part.use.assign(part.island.contacts.size(), SideUse::inequality);
   for (const Contact& c : part.island.contacts) {
     const double move = rubbing ? 2.0 * overlap(c) : std::min(deepest, 0.5 * push * ease(c));
-    part.margins.push_back(margin(c, move));
+    const double open = margin(c, move);
+    part.margins.push_back(rubbing && overlap(c) <= closed_gap ? std::min(open, c.gap) : open);
   }
   return part;
 }
