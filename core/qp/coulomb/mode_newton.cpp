@@ -80,17 +80,33 @@ void ModeNewton::find_missing(const ContactForm& form, const ContactPoint& point
   }
 }
 
-/// To the solution of the piece, but for rounding.
-void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
+/// G' l - y of the point; whether it is no more than rounding.
+bool ModeNewton::find_unbalance(const ContactForm& form, const ContactPoint& point) {
   unbalance_.resize(point.y.size());
   form.apply_transposed(point.l.data(), unbalance_.data());
+  double most = 0.0;
+  double size = 0.0;
   for (std::size_t b = 0; b < unbalance_.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c) {
       unbalance_[b].v[c] -= point.y[b].v[c];
+      most = std::max(most, std::abs(unbalance_[b].v[c]));
+      size = std::max(size, std::abs(point.y[b].v[c]));
+    }
   }
+  return most <= noise_share * size;
+}
+
+/// To the solution of the piece, but for rounding.
+void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
+  find_unbalance(form, point);
   find_missing(form, point);
   system_.solve(form, missing_, unbalance_);
   system_.move(1.0, point);
+}
+
+/// What compliance has left of a point that misses so little is rounding.
+void ModeNewton::finish(const ContactForm& form, double missed, ContactPoint& point) {
+  if (missed > noise_share || !find_unbalance(form, point)) step(form, point);
 }
 
 /// Goes on along the last step, which those to come would repeat, `most` times at most: to the first contact whose force
@@ -139,7 +155,7 @@ ModeNewton::ProximalSteps ModeNewton::take_proximal_steps(const ContactForm& for
     const double missed = missed_by(form, modes, point);
     stalled = missed < stalled_share * former ? 0 : stalled + 1;
     if (missed <= effort.goal || (missed <= near_goal && stalled == most_stalled)) {
-      step(form, point);  // what compliance has left is rounding then
+      finish(form, missed, point);
       return {End::settled};
     }
     if (missed < slow_share * former || former == unbounded) {

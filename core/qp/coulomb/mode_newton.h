@@ -62,6 +62,8 @@ class ModeNewton {
                   double most_force);
   bool gets_on(const std::vector<ContactMode>& modes, int revised);
   void step(const ContactForm& form, ContactPoint& point);
+  void finish(const ContactForm& form, double missed, ContactPoint& point);
+  bool find_unbalance(const ContactForm& form, const ContactPoint& point);
   void find_missing(const ContactForm& form, const ContactPoint& point);
 
   ModeSystem system_;
