@@ -13,6 +13,7 @@ constexpr double path_delta = 1e-6;  ///< of paths: K keeps its digits without p
 constexpr double least_path_delta = 1e-12;
 constexpr double convex_tolerance = 1e-12;
 constexpr double interior_goal = 1e-7;  ///< where pairs vanish together no more is to be had
+constexpr int most_hopeless_steps = 2;  ///< of newton without compliance
 constexpr double large_delta = 1e-4;    ///< of settling at first
 constexpr int settling_factorisations = 100;
 constexpr double near_margin = 1e-9;
@@ -79,8 +80,9 @@ ModeNewtonEffort CoulombStages::newton_effort(double delta, int most_factorisati
 bool CoulombStages::newton(const FrictionProgram& friction,
                            int most_factorisations,
                            CoulombResult& result) {
-  const ModeNewtonOutcome outcome =
-      mode_newton_.run(form_, modes, point, newton_effort(usual_delta, most_factorisations));
+  ModeNewtonEffort effort = newton_effort(usual_delta, most_factorisations);
+  effort.most_no_better = most_hopeless_steps;
+  const ModeNewtonOutcome outcome = mode_newton_.run(form_, modes, point, effort);
   result.factorisations += outcome.factorisations;
   return outcome.settled && judge_point(friction, CoulombStage::newton, result);
 }

@@ -15,9 +15,7 @@ constexpr double least_rate = 1e-9;  ///< of forces, of the largest one: smaller
 constexpr double near_goal = 2e-11;
 constexpr double stalled_share = 0.9;
 constexpr int most_stalled = 3;
-/// Newton's method is given up where so many factorisations in a row changed no fewer modes than the best one before.
-constexpr int most_no_better = 5;
-constexpr int few_modes = 3;
+constexpr int few_modes = 3;  ///< that change are no reason to give up
 
 /// What the forces and velocities of a unit ask for.
 ContactMode wanted_mode(const ContactUnit& unit,
@@ -174,13 +172,13 @@ ModeNewton::ProximalSteps ModeNewton::take_proximal_steps(const ContactForm& for
 
 /// Whether Newton's method approaches a solution since modes were confirmed. Where it was at these modes before it would
 /// repeat itself.
-bool ModeNewton::gets_on(const std::vector<ContactMode>& modes, int revised) {
+bool ModeNewton::gets_on(const std::vector<ContactMode>& modes, int revised, int most) {
   Search& s = search_;
   if (std::ranges::find(s.visited, modes) != s.visited.end()) return false;
   s.visited.push_back(modes);
   s.no_better = revised < s.fewest ? 0 : s.no_better + 1;
   s.fewest = std::min(s.fewest, revised);
-  return s.no_better < most_no_better || revised <= few_modes;
+  return s.no_better < most || revised <= few_modes;
 }
 
 ModeNewtonOutcome ModeNewton::run(ContactForm& form,
@@ -199,7 +197,7 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
     outcome.settled = end == End::settled;
     if (outcome.settled || end == End::stuck) return outcome;
     if (end == End::slow) delta_ = std::max(delta_fall * delta_, effort.least_delta);
-    if (end == End::moved && !gets_on(modes, revised)) return outcome;
+    if (end == End::moved && !gets_on(modes, revised, effort.most_no_better)) return outcome;
     follow_modes(form, modes, point);
   }
   return outcome;

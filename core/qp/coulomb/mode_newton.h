@@ -22,6 +22,8 @@ struct ModeNewtonEffort {
   Pivoting pivoting = Pivoting::none;
   double goal = 1e-12;  ///< what rows in force may miss, relative to the largest velocity
   int most_factorisations = 8;
+  int most_no_better =
+      5;  ///< of them in a row that changed no fewer modes than the best one before
   /// By which forces may change at once where nothing resists them: the law is judged relative to the
   /// largest, which could grow until everything is right.
   double most_force = unbounded;
@@ -60,7 +62,7 @@ class ModeNewton {
                   ContactPoint& point,
                   double most,
                   double most_force);
-  bool gets_on(const std::vector<ContactMode>& modes, int revised);
+  bool gets_on(const std::vector<ContactMode>& modes, int revised, int most);
   void step(const ContactForm& form, ContactPoint& point);
   void finish(const ContactForm& form, double missed, ContactPoint& point);
   bool find_unbalance(const ContactForm& form, const ContactPoint& point);
