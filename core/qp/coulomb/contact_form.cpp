@@ -73,11 +73,15 @@ void ContactForm::plan() {
   std::vector<int> start;
   std::vector<int> neighbour;
   find_graph(start, neighbour);
-  order_.clear();
-  lu_.plan(blocks_, start, neighbour, order_);
-  position_.resize(order_.size());
-  for (int number = 0; number < blocks_; ++number)
-    position_[order_[number]] = number;
+  if (start != start_ || neighbour != neighbour_) {
+    start_.swap(start);
+    neighbour_.swap(neighbour);
+    order_.clear();
+    lu_.plan(blocks_, start_, neighbour_, order_);
+    position_.resize(order_.size());
+    for (int number = 0; number < blocks_; ++number)
+      position_[order_[number]] = number;
+  }
   block_.assign(couplings_.size(), -1);
   for (const ContactUnit& unit : units_) {
     for (int e = unit.first; e < unit.last; ++e)

@@ -42,8 +42,8 @@ struct ContactEntry {
 
 class ContactForm {
  public:
-  /// Takes over a sound program of blocks of at most three. Order and pattern stay if the couplings
-  /// are those of the last one.
+  /// Takes over a sound program of blocks of at most three. The order stays if the same blocks are coupled as in the last
+  /// one, the pattern if they are so by the same units.
   void prepare(const FrictionProgram& friction, const CoulombScales& scales);
   void forget() { graph_.clear(); }
 
@@ -95,6 +95,7 @@ class ContactForm {
   std::vector<int> pair_;       ///< of each unit: places of (b, a) for entries a <= b
   std::vector<int> graph_;      ///< blocks of the units, as the plan was made for
   std::vector<int> couplings_;  ///< the same of this program
+  std::vector<int> start_, neighbour_;  ///< which blocks are coupled, as the order was found for
   std::vector<int> order_, position_;
   std::vector<Quad> root_;  ///< M^(-1/2) by elimination number
   std::vector<char> of_contact_;
