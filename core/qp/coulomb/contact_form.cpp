@@ -207,6 +207,24 @@ WUERFEL_CLONES void ContactForm::apply_transposed(const Pair* l, Quad* out) cons
   }
 }
 
+Pair ContactForm::rows(int unit, const Quad* y) const {
+  Pair sum;
+  for (int e = units_[unit].first; e < units_[unit].last; ++e) {
+    for (int c = 0; c < 3; ++c) {
+      sum.n += entry_[e].n.v[c] * y[block_[e]].v[c];
+      sum.t += entry_[e].t.v[c] * y[block_[e]].v[c];
+    }
+  }
+  return sum;
+}
+
+void ContactForm::add_transposed(int unit, const Pair& l, Quad* out) const {
+  for (int e = units_[unit].first; e < units_[unit].last; ++e) {
+    for (int c = 0; c < 3; ++c)
+      out[block_[e]].v[c] += l.n * entry_[e].n.v[c] + l.t * entry_[e].t.v[c];
+  }
+}
+
 /// K_ba += g_n,b p_a' + g_t,b q_a' with p = nn g_n + nt g_t, q = tn g_n + tt g_t.
 WUERFEL_CLONES bool ContactForm::factorise(const std::vector<Weight>& weight) {
   lu_.set_identity();

@@ -62,6 +62,10 @@ class ContactForm {
   /// out = G' l
   void apply_transposed(const Pair* l, Quad* out) const;
 
+  /// Its rows of G y, and its part of G' l added to `out`.
+  [[nodiscard]] Pair rows(int unit, const Quad* y) const;
+  void add_transposed(int unit, const Pair& l, Quad* out) const;
+
   /// What a unit adds to K = I + G' C G: its part of C, not symmetric.
   struct Weight {
     double nn = 0.0, nt = 0.0, tn = 0.0, tt = 0.0;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double exact_balance =
     1e-11;  ///< unbalance of dy to which solves are refined; callers take up the rest
+constexpr int most_cheap_blocks = 32;  ///< whose factors cost no more than terms of rank one
 
 }  // namespace
 
@@ -93,22 +94,40 @@ void Crossing::meet_cone(
   meet(contact.mu * l.n + l.t, contact.mu * dl.n + dl.t, other, ContactMode::slip_forward);
 }
 
+ContactForm::Weight ModeSystem::weight_of(const ContactUnit& unit, ContactMode mode) const {
+  ContactForm::Weight w;
+  if (mode != ContactMode::open) w.nn = 1.0 / (delta_ * unit.compliance.n);
+  if (mode == ContactMode::stick) w.tt = 1.0 / (delta_ * unit.compliance.t);
+  w.tn = -slip_sign(mode) * unit.mu * w.nn;
+  return w;
+}
+
 bool ModeSystem::factorise(ContactForm& form,
                            const std::vector<ContactMode>& modes,
                            double delta,
                            Pivoting pivoting) {
   pivoting_ = pivoting;
+  delta_ = delta;
+  terms_.clear();
   if (pivoting == Pivoting::full) return pivoted_.factorise(form, modes, delta);
   weight_.resize(modes.size());
-  for (int i = 0; i < form.count(); ++i) {
-    const ContactUnit& unit = form.units()[i];
-    ContactForm::Weight w;
-    if (modes[i] != ContactMode::open) w.nn = 1.0 / (delta * unit.compliance.n);
-    if (modes[i] == ContactMode::stick) w.tt = 1.0 / (delta * unit.compliance.t);
-    w.tn = -slip_sign(modes[i]) * unit.mu * w.nn;
-    weight_[i] = w;
-  }
+  for (int i = 0; i < form.count(); ++i)
+    weight_[i] = weight_of(form.units()[i], modes[i]);
   return form.factorise(weight_);
+}
+
+/// The difference is of rank one, but where an open contact sticks at once or the other way round.
+bool ModeSystem::change(ContactForm& form, const std::vector<ContactMode>& modes, int unit) {
+  if (pivoting_ == Pivoting::none && form.blocks() > most_cheap_blocks) {
+    const ContactForm::Weight w = weight_of(form.units()[unit], modes[unit]);
+    const double nn = w.nn - weight_[unit].nn;
+    const double tn = w.tn - weight_[unit].tn;
+    const double tt = w.tt - weight_[unit].tt;
+    weight_[unit] = w;
+    if (tt == 0.0 && terms_.add(form, unit, {nn, tn}, {1.0, 0.0})) return true;
+    if (tt != 0.0 && nn == 0.0 && terms_.add(form, unit, {0.0, 1.0}, {tn, tt})) return true;
+  }
+  return factorise(form, modes, delta_, pivoting_);
 }
 
 /// Forces that belong to dy, from the rows; leaves u_ = G' dl - dy.
@@ -141,8 +160,29 @@ void ModeSystem::solve(const ContactForm& form,
     dl[i] = {w.nn * r[i].n, w.tn * r[i].n + w.tt * r[i].t};
   }
   form.apply_transposed(dl.data(), u_.data());
+  add(1.0, u, u_);
+  terms_.solve(form, u_);
+  dy = u_;
+  find_forces(form, r);
+  refine(form, r, u);
+}
+
+void ModeSystem::solve_again(const ContactForm& form,
+                             const std::vector<Pair>& r,
+                             const std::vector<Quad>& u,
+                             int unit) {
+  const Pair& Gdy = step_.Gdy[unit];
+  terms_.correct(form, {r[unit].n - Gdy.n, r[unit].t - Gdy.t}, step_.dy);
+  find_forces(form, r);
+  refine(form, r, u);
+}
+
+void ModeSystem::refine(const ContactForm& form,
+                        const std::vector<Pair>& r,
+                        const std::vector<Quad>& u) {
+  std::vector<Quad>& dy = step_.dy;
   double former = unbounded;
-  for (int round = 0; round <= most_refinements; ++round) {
+  for (int round = 0; round < most_refinements; ++round) {
     double size = 0.0;
     double missed = 0.0;
     for (std::size_t b = 0; b < u.size(); ++b) {
@@ -152,9 +192,9 @@ void ModeSystem::solve(const ContactForm& form,
         size = std::max(size, std::abs(dy[b].v[c]));
       }
     }
-    if (round > 0 && (missed <= exact_balance * size || !(missed < 0.5 * former))) break;
-    if (round > 0) former = missed;
-    form.solve(u_.data());
+    if (missed <= exact_balance * size || !(missed < 0.5 * former)) break;
+    former = missed;
+    terms_.solve(form, u_);
     add(1.0, u_, dy);
     find_forces(form, r);
   }

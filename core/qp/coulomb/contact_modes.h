@@ -15,6 +15,7 @@
 
 #include "core/qp/coulomb/contact_form.h"
 #include "core/qp/coulomb/pivoted_modes.h"
+#include "core/qp/coulomb/rank_one_terms.h"
 
 namespace wuerfel {
 
@@ -80,18 +81,31 @@ class ModeSystem {
                  const std::vector<ContactMode>& modes,
                  double delta,
                  Pivoting pivoting);
+  /// Takes over the new mode of one unit: by a term of rank one, or as `factorise` does where that is cheaper.
+  bool change(ContactForm& form, const std::vector<ContactMode>& modes, int unit);
+  /// Whether `change` has left the factors as they were.
+  [[nodiscard]] bool updated() const { return !terms_.empty(); }
   /// Solves  g dy + d dl = r  for the rows in force and  dy - G' dl = u,  refined. `r` of rows not
   /// in force is not looked at.
   void solve(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
+  /// Solves it for the same `r` and `u` as the last time, after `updated` by the mode of a unit.
+  void solve_again(const ContactForm& form,
+                   const std::vector<Pair>& r,
+                   const std::vector<Quad>& u,
+                   int unit);
   void move(double length, ContactPoint& point) const { point.move(length, step_); }
   [[nodiscard]] const std::vector<Pair>& dl() const { return step_.dl; }
   [[nodiscard]] const std::vector<Pair>& Gdy() const { return step_.Gdy; }
 
  private:
+  [[nodiscard]] ContactForm::Weight weight_of(const ContactUnit& unit, ContactMode mode) const;
+  void refine(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
   void find_forces(const ContactForm& form, const std::vector<Pair>& r);
 
   PivotedModes pivoted_;
   Pivoting pivoting_ = Pivoting::none;
+  double delta_ = 0.0;
+  RankOneTerms terms_;  ///< of units that have changed since
   std::vector<ContactForm::Weight> weight_;
   ContactStep step_;
   std::vector<Quad> u_;

@@ -187,6 +187,24 @@ double ModePath::longest_step(const ContactForm& form,
   return first.step;
 }
 
+/// The system and the tangent of the piece that the path has come to by the new mode of `unit`; of the first one: -1.
+bool ModePath::enter(ContactForm& form,
+                     const std::vector<ContactMode>& modes,
+                     const ModePathEffort& effort,
+                     int unit,
+                     ContactPoint& point) {
+  const bool regular = unit < 0 ? system_.factorise(form, modes, delta_, effort.pivoting)
+                                : system_.change(form, modes, unit);
+  if (!regular) return false;
+  if (system_.updated()) {
+    system_.solve_again(form, rhs_, unbalance_, unit);
+  } else {
+    correct(form, modes, point);
+    find_tangent(form, point);
+  }
+  return true;
+}
+
 ModePathOutcome ModePath::follow(ContactForm& form,
                                  std::vector<ContactMode>& modes,
                                  ContactPoint& point,
@@ -196,18 +214,19 @@ ModePathOutcome ModePath::follow(ContactForm& form,
   Crossing crossing;
   ContactMode from = ContactMode::open;
   while (true) {
-    if (!system_.factorise(form, modes, delta_, effort.pivoting)) return outcome;
-    correct(form, modes, point);
-    find_tangent(form, point);
+    if (!enter(form, modes, effort, crossing.unit, point)) return outcome;
     if (crossing.unit >= 0)
       direction = entering_rate(form, from, crossing.to, crossing.unit) >= 0.0 ? 1.0 : -1.0;
     crossing = next_crossing(form, modes, point, direction);
     outcome.arrived = direction > 0.0 && crossing.step >= t_;
-    const double step = outcome.arrived ? t_ : crossing.step;
+    double step = outcome.arrived ? t_ : crossing.step;
     const double most = longest_step(form, modes, point, direction, effort.most_missed);
     outcome.arrived = outcome.arrived || most < step;
     if (outcome.arrived) {
-      system_.move(direction * std::min(step, most), point);
+      step = std::min(step, most);
+      system_.move(direction * step, point);
+      t_ -= direction * step;
+      if (system_.updated()) correct(form, modes, point);
       return outcome;
     }
     outcome.ray = crossing.unit < 0;

@@ -56,6 +56,11 @@ class ModePath {
                          std::vector<ContactMode>& modes,
                          ContactPoint& point,
                          const ModePathEffort& effort);
+  bool enter(ContactForm& form,
+             const std::vector<ContactMode>& modes,
+             const ModePathEffort& effort,
+             int unit,
+             ContactPoint& point);
   [[nodiscard]] Pair slack(const ContactForm& form, const ContactPoint& point, int i) const;
   [[nodiscard]] Pair slack_rate(const ContactForm& form, int i) const;
   void correct(const ContactForm& form, const std::vector<ContactMode>& modes, ContactPoint& point);
