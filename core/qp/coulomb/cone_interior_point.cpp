@@ -16,6 +16,13 @@ constexpr int most_stuck_steps = 4;
 /// A point as good as this that is followed by so many worse ones is the best: K has lost its digits.
 constexpr double nearly_there = 1e-5;
 constexpr int most_worse_steps = 3;
+/// Damping of steps across folds, as compliance of K alone: it grows where they are short or det K < 0, and shrinks again.
+constexpr double first_damping = 1e-4;
+constexpr double most_damping = 1e-3;       ///< of short steps
+constexpr double most_damping_back = 1e-1;  ///< where det K < 0
+constexpr double damping_change = 10.0;
+constexpr double damped_step = 0.3;
+constexpr double undamped_step = 0.5;
 
 /// All products equal, or as their weights ask.
 void start(const ContactForm& form, const ConeInteriorEffort& effort, ConeIterate& at) {
@@ -206,11 +213,12 @@ void round_off(const ContactForm& form, double weight, const ConeIterate& at, Co
 /// Predictor and corrector; beyond a fold, where det K < 0, tau has to grow.
 void choose_direction(const ContactForm& form,
                       const ConeIterate& at,
+                      Folds folds,
                       ConeSystem& system,
                       ConeDirection& step) {
   const double tau = mean_product(at, step, 0.0);
   system.corrector.assign(at.pairs.size(), {});
-  if (form.sign() < 0) {
+  if (form.sign() < 0 && folds == Folds::go_back) {
     find_direction(form, at, 2.0 * tau, system, step);
     return;
   }
@@ -226,6 +234,10 @@ void choose_direction(const ContactForm& form,
   find_direction(form, at, 0.9 * tau, system, step);
 }
 
+double damped(double delta, double most) {
+  return std::clamp(damping_change * delta, first_damping, most);
+}
+
 }  // namespace
 
 ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
@@ -235,15 +247,23 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
   ConeInteriorOutcome outcome;
   start(form, effort, at_);
   step_.pairs.assign(at_.pairs.size(), {});
+  const bool crosses = effort.folds == Folds::cross;
+  double delta = effort.delta;
   int stuck = 0;
   int worse = 0;
   while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps
          && worse < most_worse_steps) {
-    find_weights(form, at_.pairs, effort.delta, system_.weight);
+    find_weights(form, at_.pairs, delta, system_.weight);
     ++outcome.factorisations;
     if (!form.factorise(system_.weight)) break;
-    choose_direction(form, at_, system_, step_);
+    if (crosses && form.sign() < 0 && delta < most_damping_back) {
+      delta = damped(delta, most_damping_back);
+      continue;
+    }
+    choose_direction(form, at_, effort.folds, system_, step_);
     double step = step_length(at_, step_);
+    if (crosses && step < damped_step) delta = damped(delta, most_damping);
+    if (crosses && step > undamped_step) delta = std::max(delta / damping_change, effort.delta);
     if (step < short_step) step = step_length_of_most(at_, step_);
     move(step, step_, at_);
     const double worst = worst_pair(form, weight, at_);

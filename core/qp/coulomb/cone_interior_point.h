@@ -23,12 +23,18 @@
 
 namespace wuerfel {
 
+/// What is done where the path folds: tau grows until the path comes back, or steps are damped until they cross over to where it
+/// goes on. Going back leads to solutions, but may take for ever where it folds in many places at once; crossing comes near one
+/// always, and often stays there.
+enum class Folds { go_back, cross };
+
 struct ConeInteriorEffort {
   double goal = 1e-12;  ///< on the smaller of every pair, relative
   double delta = 1e-8;
   int most_factorisations = 250;
   double spread = 0.0;  ///< weights of the products are e^(+-spread)
   std::uint64_t seed = 0;
+  Folds folds = Folds::go_back;
 };
 
 struct ConeInteriorOutcome {

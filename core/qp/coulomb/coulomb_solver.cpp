@@ -1,6 +1,7 @@
 #include "core/qp/coulomb/coulomb_solver.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/qp/coulomb/contact_memory.h"
 #include "core/qp/coulomb/coulomb_stages.h"
@@ -13,9 +14,16 @@ constexpr int guessed_factorisations = 4;  ///< from none
 constexpr double soft_delta = 1e-2;        ///< from which wrong modes do no harm
 constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 8;
-constexpr int seeds_of_many = 3;  ///< later ones find next to nothing in large programs
-constexpr int unsure_seeds = 4;   ///< where no solution need exist
+constexpr int unsure_seeds = 4;  ///< where no solution need exist
 constexpr int lemke_seeds = 3;
+/// How interior points of large programs, whose paths fold in many places at once, start and pass folds. More of them find next
+/// to nothing, and neither do paths.
+struct InteriorTry {
+  double spread;
+  Folds folds;
+};
+constexpr std::array tries_of_many{InteriorTry{0.0, Folds::cross}, InteriorTry{1.0, Folds::go_back},
+                                   InteriorTry{1.5, Folds::cross}};
 constexpr int most_pivoted = 120;  ///< contacts of programs that are followed with pivoting
 
 bool any_slides(const FrictionProgram& friction) {
@@ -155,16 +163,19 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
 /// less is asked then) what is dearest is left out.
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
+  if (friction.contacts.size() > most_from_open) {
+    return std::ranges::any_of(tries_of_many, [&, k = seed](const InteriorTry& t) mutable {
+      return stages.interior(friction, t.spread, k++, t.folds, result);
+    });
+  }
   const bool exists = may_stand(friction);
-  const bool many = friction.contacts.size() > most_from_open;
-  const int seeds = many ? seeds_of_many : exists ? interior_seeds : unsure_seeds;
+  const int seeds = exists ? interior_seeds : unsure_seeds;
   for (int k = 0; k < seeds; ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
-    if (stages.interior(friction, spread, seed + k, result)) return true;
+    if (stages.interior(friction, spread, seed + k, Folds::go_back, result)) return true;
   }
   stages.take(result.multiplier);
   if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
-  if (friction.contacts.size() > most_from_open) return false;
   if (stages.follow(friction, PathStart::open, seed, Pivoting::none, result)) return true;
   if (!exists) return false;
   for (int k = 1; k <= lemke_seeds && friction.contacts.size() <= most_pivoted; ++k) {

@@ -14,6 +14,7 @@ constexpr double least_path_delta = 1e-12;
 constexpr double convex_tolerance = 1e-12;
 constexpr double interior_goal = 1e-7;  ///< where pairs vanish together no more is to be had
 constexpr int most_hopeless_steps = 2;  ///< of newton without compliance
+constexpr double crossing_goal = 1e-6;  ///< likewise, where damping leaves rows behind
 constexpr double large_delta = 1e-4;    ///< of settling at first
 constexpr int settling_factorisations = 100;
 constexpr double near_margin = 1e-9;
@@ -31,8 +32,7 @@ constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
 constexpr int most_crossed_units = 200;  ///< beyond them it costs as much as an interior step
 constexpr int crossings_per_contact = 12;
-constexpr int most_crossings = 3000;          ///< of the path from open at least
-constexpr int most_crossings_of_many = 1000;  ///< of programs too large for that one
+constexpr int most_crossings = 3000;
 constexpr int most_proximal_steps = 8;
 constexpr double jamming_force = 1e6;  ///< in weights
 
@@ -162,9 +162,11 @@ bool CoulombStages::relax(const FrictionProgram& friction, CoulombResult& result
 bool CoulombStages::interior(const FrictionProgram& friction,
                              double spread,
                              std::uint64_t seed,
+                             Folds folds,
                              CoulombResult& result) {
+  const double goal = folds == Folds::cross ? crossing_goal : interior_goal;
   const ConeInteriorOutcome outcome = cone_interior_.run(
-      form_, scales_.weight, {.goal = interior_goal, .spread = spread, .seed = seed}, point);
+      form_, scales_.weight, {.goal = goal, .spread = spread, .seed = seed, .folds = folds}, point);
   result.factorisations += outcome.factorisations;
   find_modes();
   if (judge_point(friction, CoulombStage::interior, result)) return true;
@@ -180,10 +182,7 @@ bool CoulombStages::follow(const FrictionProgram& friction,
   ModePathEffort effort{
       .delta = pivoting == Pivoting::none ? path_delta : usual_delta,
       .pivoting = pivoting,
-      .most_crossings =
-          friction.contacts.size() > most_from_open
-              ? most_crossings_of_many
-              : std::min(100 + crossings_per_contact * form_.count(), most_crossings)};
+      .most_crossings = std::min(100 + crossings_per_contact * form_.count(), most_crossings)};
   std::vector<Pair> centre(point.l.size(), Pair{});
   for (int k = 0; k < most_proximal_steps; ++k) {
     const ModePathOutcome outcome =

@@ -38,6 +38,7 @@ class CoulombStages {
   bool interior(const FrictionProgram& friction,
                 double spread,
                 std::uint64_t seed,
+                Folds folds,
                 CoulombResult& result);
   bool follow(const FrictionProgram& friction,
               PathStart start,
