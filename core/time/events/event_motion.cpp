@@ -9,6 +9,7 @@
 #include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/time/crowding.h"
+#include "core/time/events/corrections.h"
 #include "core/time/rod_events.h"
 
 namespace wuerfel {
@@ -75,7 +76,7 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       geometry_(system),
       looker_(system) {}
 
-void EventMotion::start(const State& state,
+bool EventMotion::start(const State& state,
                         double t,
                         const ContactLimits& limits,
                         std::vector<char> resting,
@@ -86,7 +87,11 @@ void EventMotion::start(const State& state,
   phase_.forget_step();
   FormerPhase before;
   before.modes.resting = std::move(resting);
-  begin_phase(state, happen(state, t, before, limits, work_), book);
+  Bookkeeping found;
+  begin_phase(state, happen(state, t, before, limits, work_), found);
+  if (overlap() > bearable_overlap(state, phase_.scales())) return false;
+  add(found, book);
+  return true;
 }
 
 bool EventMotion::at_rest() const {
@@ -176,6 +181,10 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
   if (phase_.equations().on_fixed())
     now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
+  // What is put on its contacts is pushed into others that were not there yet, if it has to go far.
+  const double way = farthest_way(*system_, state, phase_.state());
+  if (way > touching_tolerance * phase_.scales().length && overlap() > 0.0)
+    note_overlap(work_.finder.deepest().depth, work_.finder.deepest().scale, book.audit);
   book.settled += now.settled;
   book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
