@@ -36,6 +36,11 @@ class EquationsOfMotion {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Whether the closed contacts depend on one another, so that their loads are not the only ones.
   [[nodiscard]] bool redundant() const { return contacts_.redundant(); }
+  /// Whether friction gives energy in place of taking some, at the state of the last call: something that slips pulls by more
+  /// than `rounding`, N.
+  [[nodiscard]] bool friction_drives(double rounding) const {
+    return slips() && contacts_.rubbing().drives(contacts_.forces(), rounding);
+  }
   /// Whether nothing holds any cube: neither a contact nor a rod.
   [[nodiscard]] bool free() const { return contacts_.none(); }
 

@@ -177,7 +177,7 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   if (!now.contradicting.empty()) note_contradiction(*system_, now.contradicting, clock_, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
-  phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
+  close(now.state);
   // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
   if (phase_.equations().on_fixed())
     now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
@@ -197,6 +197,16 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   forces_.begin(phase_, force_rounding);
   // A body on a rod that is alone in the world meets nobody and releases nothing.
   phase_.set_watched(!modes_.closed.contacts.empty() || geometry_.watches());
+}
+
+/// Begins a phase. Where contacts depend on one another their forces are not the only ones, and friction is that of those
+/// that were found: what slips and needs none is left open. What slips and pulls all the same is driven: only positions know
+/// what happens next.
+void EventMotion::close(const State& state) {
+  phase_.begin(state, modes_.closed, modes_.resting, tolerance_);
+  if (phase_.redundant() && drop_idle(modes_.closed))
+    phase_.begin(state, modes_.closed, modes_.resting, tolerance_);
+  if (phase_.friction_drives()) modes_.wedged = true;
 }
 
 /// The first event within a step.

@@ -157,6 +157,7 @@ void close(const Island& island,
     Touch& touch = closed.touches.back();
     touch.sticks = modes.sides[k].sticks;
     touch.slips = modes.sides[k].slips;
+    touch.idle = modes.sides[k].idle;
     touch.anchor = place_along(*work.system, closed.contacts[touch.first]);
   }
 }
