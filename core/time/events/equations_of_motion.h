@@ -26,7 +26,7 @@ class EquationsOfMotion {
   void find_loads(std::vector<double>& loads) const;
   /// What fixed bodies do to the moving cubes at the state of the last call, N and N m.
   [[nodiscard]] Push pushed() const { return contacts_.pushed(state_); }
-  /// Whether a closed contact is with a fixed body.
+  /// Whether a fixed body holds a part, by a closed contact or a rod.
   [[nodiscard]] bool on_fixed() const { return contacts_.on_fixed(); }
   [[nodiscard]] int first_slip(const std::vector<double>& loads) const;
   /// Whether some touch slips, so that friction takes energy.
