@@ -50,6 +50,7 @@ struct Touch {
   /// direction, +1 or -1 along perp(normal), seen from the side.
   bool sticks = false;
   int slips = 0;
+  bool idle = false;    ///< slips, and needs no force to stay closed
   double anchor = 0.0;  ///< m, place_along where it sticks
 
   [[nodiscard]] IndexPair pair() const { return std::minmax(on, from); }

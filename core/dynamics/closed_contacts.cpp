@@ -32,9 +32,9 @@ void ClosedContacts::close(const std::vector<Contact>& contacts,
   }
   std::ranges::sort(island_.cubes);
   island_.cubes.erase(std::unique(island_.cubes.begin(), island_.cubes.end()), island_.cubes.end());
-  on_fixed_ = touches_fixed(*system_, contacts);
   held_ = std::ranges::any_of(island_.rods, [&](int k) { return is_held(system_->rods[k]); });
   hangs_alone_ = contacts.empty() && island_.rods.size() == 1 && island_.cubes.size() == 1;
+  on_fixed_ = touches_fixed(*system_, contacts) || (held_ && !hangs_alone_);
   laid_out_ = false;
   angles_.clear();
   boxes_.resize(system_->count());

@@ -31,7 +31,7 @@ class ClosedContacts {
   [[nodiscard]] const std::vector<int>& cubes() const { return island_.cubes; }
   /// Whether nothing holds any cube: neither a contact nor a rod.
   [[nodiscard]] bool none() const { return island_.contacts.empty() && island_.rods.empty(); }
-  /// Whether one of the contacts is with a fixed body.
+  /// Whether a fixed body holds a part, by one of the contacts or a rod (but for a pendulum, which is exact).
   [[nodiscard]] bool on_fixed() const { return on_fixed_; }
   /// Whether some of the contacts depend on others, so that their forces are not the only ones.
   [[nodiscard]] bool redundant() const {
@@ -68,7 +68,7 @@ class ClosedContacts {
   RubbingContacts rubbing_;
   Island island_;
   std::vector<char> resting_;
-  bool on_fixed_ = false;     ///< a contact is with a fixed body
+  bool on_fixed_ = false;     ///< a contact or a rod is with a fixed body
   bool held_ = false;         ///< a rod or pin holds a cube to one
   bool hangs_alone_ = false;  ///< one rod, held at its other end, is all that holds one cube
   bool laid_out_ = false;     ///< the builder has a program over `island_`

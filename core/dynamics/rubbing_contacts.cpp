@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Dense>
 
@@ -189,6 +190,13 @@ void RubbingContacts::solve(const System& system,
   x.assign(found.begin(), found.end());
   forces.assign(lambda.begin(), lambda.begin() + normals);
   tangential_.assign(lambda.begin() + normals, lambda.begin() + normals + sticking);
+}
+
+bool RubbingContacts::drives(std::span<const double> forces, double rounding) const {
+  return std::ranges::any_of(touches_, [&](const Touch& touch) {
+    const auto own = forces.subspan(touch.first, touch.count);
+    return touch.slips != 0 && std::accumulate(own.begin(), own.end(), 0.0) < -rounding;
+  });
 }
 
 void RubbingContacts::add_margins(std::span<const double> forces,

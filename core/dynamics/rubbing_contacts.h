@@ -35,6 +35,9 @@ class RubbingContacts {
              std::vector<double>& x,
              std::vector<double>& forces);
 
+  /// Whether a touch that slips pulls by more than `rounding` (N), so that its friction drives it: no force that the law knows
+  /// (there may be others where rows depend on one another).
+  [[nodiscard]] bool drives(std::span<const double> forces, double rounding) const;
   /// How far touches that stick are from slipping, mu N - T and mu N + T (N), at the solution with
   /// the normal forces `forces`: added to `loads`. Two for each.
   void add_margins(std::span<const double> forces, std::vector<double>& loads) const;

@@ -93,6 +93,15 @@ void add(const Bookkeeping& more, Bookkeeping& book) {
   book.unexplained += more.unexplained;
 }
 
+void sort_by_time(std::size_t events, std::size_t losses, Bookkeeping& book) {
+  const auto sort_from = [](auto& list, std::size_t known) {
+    const auto begin = list.begin() + static_cast<std::ptrdiff_t>(known);
+    std::ranges::stable_sort(begin, list.end(), {}, [](const auto& entry) { return entry.t; });
+  };
+  sort_from(book.events, events);
+  sort_from(book.losses, losses);
+}
+
 void note_unexplained(const MomentumScale& scale, Bookkeeping& book) {
   const Push& sum = book.unexplained;
   Audit& audit = book.audit;

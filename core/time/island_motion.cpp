@@ -19,14 +19,6 @@ constexpr double first_window = 0.5;
 /// A window ends after so many steps of a group, which are kept until then.
 constexpr int most_pieces = 1000;
 
-/// What has been added after the first `known`; what happened at one time keeps its order.
-template <typename Entry>
-void sort_by_time(std::vector<Entry>& list, std::size_t known) {
-  if (list.size() - known < 2) return;
-  std::ranges::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(known), list.end(), {},
-                           &Entry::t);
-}
-
 }  // namespace
 
 IslandMotion::IslandMotion(const System& system, const MotionSettings& settings, const State& start)
@@ -256,12 +248,22 @@ void IslandMotion::move_groups() {
     // One group alone meets nobody: it need not stop at the end of a window.
     const bool alone = groups_.size() == 1;
     end_ = begin_ + length_;
-    double limit = end_;
-    if (alone) limit = forever;
+    const double planned = end_;
     for (Group& group : groups_)
-      move(group, limit);
+      move(group, alone ? forever : end_);
+    if (!alone && end_ < planned) put_back(state);
     if (alone) end_ = groups_.front().track->clock();
     if (alone || !join_those_that_met(state)) return;
+  }
+}
+
+/// Who has come farther than to the end of a window that was cut short is put back to its start: what happens later to him is
+/// booked when it happens, whoever he belongs to by then.
+void IslandMotion::put_back(const State& state) {
+  for (Group& group : groups_) {
+    if (group.track->clock() <= end_) continue;
+    make_group(state, group.cubes, group);
+    move(group, end_);
   }
 }
 
@@ -291,8 +293,7 @@ void IslandMotion::commit() {
     add(book, computed_);
     book = {};
   }
-  sort_by_time(computed_.events, first);
-  sort_by_time(computed_.losses, first_loss);
+  sort_by_time(first, first_loss, computed_);
   note_unexplained(momentum_, computed_);
 }
 

@@ -50,6 +50,7 @@ class IslandMotion final : public Motion {
   void restart(const State& state);
   void move(Group& group, double limit);
   void move_groups();
+  void put_back(const State& state);
   [[nodiscard]] State state_at(double t);
   void regroup(const State& state, const Parts& parts);
   void make_group(const State& state, const std::vector<int>& cubes, Group& group);

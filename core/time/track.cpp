@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/dynamics/momentum_balance.h"
+#include "core/time/events/corrections.h"
 #include "core/time/promises.h"
 #include "core/time/rod_events.h"
 
@@ -19,8 +20,6 @@ constexpr int most_rubbing_cubes = 12;
 /// Where the user did not choose a step: the first one and the longest, in frames.
 constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
-/// Gaps count as zero in the search for events up to this many times what rounding leaves of them.
-constexpr double rounding_times = 4.0;
 constexpr int looks_per_piece = 4;
 
 }  // namespace
@@ -68,11 +67,10 @@ void Track::start(const State& state,
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
   ContactLimits limits;
   limits.touching = std::max(touching, limits.touching);
-  events_.start(state, t, limits, std::move(resting), book_);
+  const bool fits = events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
-  if (events_.at_rest()) return;
-  if (!(policy_.only_steps || events_.wedged())) return;
-  begin_steps(events_.state(), t);
+  if (fits && (events_.at_rest() || !(policy_.only_steps || events_.wedged()))) return;
+  begin_steps(fits ? events_.state() : state, t);
   const bool settles = system_->rubs || system_->bounces;
   until_ = !policy_.only_steps ? t + crowding_.frame()
            : settles           ? t + longest_step * crowding_.frame()
@@ -88,8 +86,7 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
   ContactLimits limits;
   limits.touching = std::max(touching, limits.touching);
   Bookkeeping found;
-  events_.start(still, t, limits, {}, found);
-  if (!events_.at_rest()) return false;
+  if (!(events_.start(still, t, limits, {}, found) && events_.at_rest())) return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
   found.settled += unexplained(*system_, state, still, 0.0, {});
   add(found, book);
@@ -163,14 +160,9 @@ void Track::follow_events(double limit) {
 
 /// Whether the events left overlap: at the last one, or where a search could not be sure.
 bool Track::leaves_overlap(const Audit& before) {
-  // Far from the origin rounding of the positions is more than that.
-  double rounding = 0.0;
-  for (const BodyState& s : events_.state())
-    rounding = std::max(rounding, gap_rounding(s.position, s.position));
-  const double share = std::max(overlap_share, rounding_times * rounding / scales_.length);
+  const double share = bearable_overlap(events_.state(), scales_);
   if (book_.audit.max_overlap > share) return true;
-  if (book_.audit.searches_given_up == before.searches_given_up) return false;
-  return events_.overlap() > share;
+  return book_.audit.searches_given_up > before.searches_given_up && events_.overlap() > share;
 }
 
 /// Whether events crowd, or the cubes are wedged.
@@ -230,8 +222,9 @@ void Track::hand_back() {
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
   book_.settled += unexplained(*system_, steps_->state(), state, 0.0, {});
   // Gaps of contacts under load have been closed to rounding.
-  events_.start(state, clock_, {touching_tolerance, slowest_motion}, {}, book_);
-  if (events_.wedged()) hand_over(events_.state(), events_.clock());
+  const ContactLimits limits{touching_tolerance, slowest_motion};
+  const bool fits = events_.start(state, clock_, limits, {}, book_);
+  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : state, clock_);
 }
 
 /// Number of the piece in which a time lies; -1 at the clock, and where it is not known.

@@ -70,6 +70,24 @@ TEST(Incline, StopsASlipUphillWhereItHolds) {
   EXPECT_TRUE(simulation.states()[0].velocity.isZero(0.0));
 }
 
+TEST(Sliding, TakesNothingWhereNothingPresses) {
+  //        ^ 3 m/s
+  // +---+---+---+    the outer ones stand and rub the floor: forces that squeeze the middle one would balance, too
+  // | a | b | c |
+  // ~~~~~~~~~~~~~
+  Scene scene = on_floor({cube("a", {0.0, 0.5}), cube("b", {1.0, 0.5}), cube("c", {2.0, 0.5})});
+  scene.planes[0].material = {1.0, 0.0};
+  for (SceneCube& c : scene.cubes)
+    c.material = scene.planes[0].material;
+  scene.cubes[1].velocity.y() = 3.0;
+  Simulation simulation(scene, {});
+  for (const double t : {0.2, 0.3, 0.5}) {
+    simulation.advance_to(t);
+    EXPECT_NEAR(simulation.states()[1].velocity.y(), 3.0 - g * t, 1e-12);
+    EXPECT_NEAR(simulation.audit().friction_loss, 0.0, 1e-12);
+  }
+}
+
 TEST(Bouncing, EndsWhenItsSeriesDoes) {
   Scene scene;
   scene.cubes = {cube("a", {0.0, 1.5}, 0.0, 0.0)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/dynamics/instant_friction.h"
 #include "core/dynamics/projection.h"
@@ -133,12 +134,14 @@ std::vector<SideMode> find_sides(const System& system,
   const std::vector<int> known = known_slips(system, state, island, rate_tolerance);
   std::vector<SideMode> sides;
   for (const Touch& touch : island.touches) {
-    SideMode mode{false, known[touch.first]};
+    SideMode mode{false, known[touch.first], false};
     const double begins = solution.slips[touch.first];
     if (touch.surface.friction > 0.0 && mode.slips == 0) {
       mode.sticks = std::abs(begins) <= limit;
       if (!mode.sticks) mode.slips = begins > 0.0 ? 1 : -1;
     }
+    mode.idle = mode.slips != 0
+                && forces_on(touch, solution).first <= undecided_share * solution.largest_force();
     sides.push_back(mode);
   }
   return sides;
@@ -169,6 +172,20 @@ IslandModes find_modes(const Island& island,
     modes.sides = find_sides(*work.system, state, island, solution, limit);
   }
   return modes;
+}
+
+bool drop_idle(ContactSet& closed) {
+  ContactSet kept;
+  for (Touch touch : closed.touches) {
+    if (touch.idle) continue;
+    const auto first = closed.contacts.begin() + touch.first;
+    touch.first = static_cast<int>(kept.contacts.size());
+    kept.contacts.insert(kept.contacts.end(), first, first + touch.count);
+    kept.touches.push_back(touch);
+  }
+  const bool any = kept.touches.size() < closed.touches.size();
+  closed = std::move(kept);
+  return any;
 }
 
 bool rests(const Island& island,

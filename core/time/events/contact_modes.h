@@ -34,7 +34,8 @@ struct ContactLimits {
 /// What a closed touch that rubs does along its side.
 struct SideMode {
   bool sticks = false;
-  int slips = 0;  ///< +1, -1 along perp(normal)
+  int slips = 0;      ///< +1, -1 along perp(normal)
+  bool idle = false;  ///< slips, and needs no force to stay closed
 };
 
 struct IslandModes {
@@ -52,6 +53,9 @@ IslandModes find_modes(const Island& island,
                        const Scales& scales,
                        bool after_impact,
                        Workspace& work);
+
+/// Leaves those open that slip and need no force to stay closed; false where there are none.
+bool drop_idle(ContactSet& closed);
 
 /// Whether an island whose cubes are as slow as `limits` say rests: standing still it stays.
 bool rests(const Island& island,

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 
+#include "core/time/stepping/overlap_removal.h"
+
 namespace wuerfel {
 namespace {
 
 constexpr int most_rounds = 4;
 /// Overlap deeper than this share of the smaller side is removed, and gaps of closed contacts.
 constexpr double rounding_share = 1e-13;
+
+/// Gaps count as zero in the search for events up to this many times what rounding leaves of them.
+constexpr double rounding_times = 4.0;
 
 /// Contacts that overlap at a state and are none of those that are known.
 std::vector<Contact> new_overlaps(const State& state,
@@ -28,6 +33,22 @@ std::vector<Contact> new_overlaps(const State& state,
 }
 
 }  // namespace
+
+double bearable_overlap(const State& state, const Scales& scales) {
+  double rounding = 0.0;
+  for (const BodyState& s : state)
+    rounding = std::max(rounding, gap_rounding(s.position, s.position));
+  return std::max(overlap_share, rounding_times * rounding / scales.length);
+}
+
+double farthest_way(const System& system, const State& from, const State& to) {
+  double way = 0.0;
+  for (int i = 0; i < system.cubes; ++i) {
+    const Twist moved{to[i].position - from[i].position, to[i].angle - from[i].angle};
+    way = std::max(way, fastest_corner(system.body(i), moved));
+  }
+  return way;
+}
 
 bool all_rest(const Island& island, const std::vector<char>& resting) {
   return std::ranges::all_of(island.cubes, [&](int cube) { return resting[cube] != 0; });

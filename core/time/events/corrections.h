@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/dynamics/projection.h"
+#include "core/model/scales.h"
 #include "core/time/workspace.h"
 
 namespace wuerfel {
@@ -31,6 +32,13 @@ void onto_closed(const Island& island,
                  const std::vector<char>& closed,
                  State& state,
                  Workspace& work);
+
+/// Overlap that events may leave, as a share of the smaller side. Far from the origin rounding of the positions is more than
+/// that of steps.
+double bearable_overlap(const State& state, const Scales& scales);
+
+/// How far a corner has come at most from one state to another, m.
+double farthest_way(const System& system, const State& from, const State& to);
 
 /// Whether all cubes of an island rest.
 bool all_rest(const Island& island, const std::vector<char>& resting);

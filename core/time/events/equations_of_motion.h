@@ -26,7 +26,7 @@ class EquationsOfMotion {
   void find_loads(std::vector<double>& loads) const;
   /// What fixed bodies do to the moving cubes at the state of the last call, N and N m.
   [[nodiscard]] Push pushed() const { return contacts_.pushed(state_); }
-  /// Whether a closed contact is with a fixed body.
+  /// Whether a fixed body holds a part, by a closed contact or a rod.
   [[nodiscard]] bool on_fixed() const { return contacts_.on_fixed(); }
   [[nodiscard]] int first_slip(const std::vector<double>& loads) const;
   /// Whether some touch slips, so that friction takes energy.
@@ -36,6 +36,11 @@ class EquationsOfMotion {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Whether the closed contacts depend on one another, so that their loads are not the only ones.
   [[nodiscard]] bool redundant() const { return contacts_.redundant(); }
+  /// Whether friction gives energy in place of taking some, at the state of the last call: something that slips pulls by more
+  /// than `rounding`, N.
+  [[nodiscard]] bool friction_drives(double rounding) const {
+    return slips() && contacts_.rubbing().drives(contacts_.forces(), rounding);
+  }
   /// Whether nothing holds any cube: neither a contact nor a rod.
   [[nodiscard]] bool free() const { return contacts_.none(); }
 

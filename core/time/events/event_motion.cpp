@@ -9,6 +9,7 @@
 #include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/time/crowding.h"
+#include "core/time/events/corrections.h"
 #include "core/time/rod_events.h"
 
 namespace wuerfel {
@@ -75,7 +76,7 @@ EventMotion::EventMotion(const System& system, const MotionSettings& settings)
       geometry_(system),
       looker_(system) {}
 
-void EventMotion::start(const State& state,
+bool EventMotion::start(const State& state,
                         double t,
                         const ContactLimits& limits,
                         std::vector<char> resting,
@@ -86,7 +87,11 @@ void EventMotion::start(const State& state,
   phase_.forget_step();
   FormerPhase before;
   before.modes.resting = std::move(resting);
-  begin_phase(state, happen(state, t, before, limits, work_), book);
+  Bookkeeping found;
+  begin_phase(state, happen(state, t, before, limits, work_), found);
+  if (overlap() > bearable_overlap(state, phase_.scales())) return false;
+  add(found, book);
+  return true;
 }
 
 bool EventMotion::at_rest() const {
@@ -172,10 +177,14 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   if (!now.contradicting.empty()) note_contradiction(*system_, now.contradicting, clock_, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
-  phase_.begin(now.state, modes_.closed, modes_.resting, tolerance_);
+  close(now.state);
   // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
   if (phase_.equations().on_fixed())
     now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
+  // What is put on its contacts is pushed into others that were not there yet, if it has to go far.
+  const double way = farthest_way(*system_, state, phase_.state());
+  if (way > touching_tolerance * phase_.scales().length && overlap() > 0.0)
+    note_overlap(work_.finder.deepest().depth, work_.finder.deepest().scale, book.audit);
   book.settled += now.settled;
   book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
   // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
@@ -188,6 +197,16 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   forces_.begin(phase_, force_rounding);
   // A body on a rod that is alone in the world meets nobody and releases nothing.
   phase_.set_watched(!modes_.closed.contacts.empty() || geometry_.watches());
+}
+
+/// Begins a phase. Where contacts depend on one another their forces are not the only ones, and friction is that of those
+/// that were found: what slips and needs none is left open. What slips and pulls all the same is driven: only positions know
+/// what happens next.
+void EventMotion::close(const State& state) {
+  phase_.begin(state, modes_.closed, modes_.resting, tolerance_);
+  if (phase_.redundant() && drop_idle(modes_.closed))
+    phase_.begin(state, modes_.closed, modes_.resting, tolerance_);
+  if (phase_.friction_drives()) modes_.wedged = true;
 }
 
 /// The first event within a step.

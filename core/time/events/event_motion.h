@@ -16,9 +16,9 @@ class EventMotion {
  public:
   EventMotion(const System& system, const MotionSettings& settings);
 
-  /// The motion goes on from `state` at time t; impacts that are due happen at once. `resting`:
-  /// cubes known to be at rest.
-  void start(const State& state,
+  /// The motion goes on from `state` at time t; impacts that are due happen at once. `resting`: cubes known to be at rest.
+  /// False, and nothing is booked, where that would leave overlap: the motion has to go on otherwise.
+  bool start(const State& state,
              double t,
              const ContactLimits& limits,
              std::vector<char> resting,
@@ -46,6 +46,7 @@ class EventMotion {
   using FirstEvent = std::variant<GeometricEvents::First, ForceEvents::First>;
 
   void begin_phase(const State& state, Instant now, Bookkeeping& book);
+  void close(const State& state);
   void rest_for_ever(std::deque<MotionPiece>& pieces);
   std::optional<FirstEvent> cut_at_event(const SmoothStep& step, Bookkeeping& book);
   void note_step(const SmoothStep& step, Bookkeeping& book);

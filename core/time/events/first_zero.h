@@ -99,7 +99,8 @@ FirstZero first_zero(Function& f, double end, const Arming& start) {
                        && std::min(-a.jet.first, -b.jet.first) > f.second_bound(a, b) * width;
     Look middle = f.at(next_share(a, b, shift, falls, count, Function::resolution));
     const bool left = middle.jet.value + shift <= 0.0;
-    if (!left && falls) {
+    // What only falls by one side may have been over by another before.
+    if (!left && falls && f.positive_between(a, middle, shift)) {
       a = std::move(middle);
       continue;
     }

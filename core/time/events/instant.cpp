@@ -123,7 +123,8 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
 
 /// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
 void note_settled(const System& system, const Island& island, const State& before, Instant& now) {
-  if (touches_fixed(system, island.contacts))
+  const auto held = [&](int rod) { return is_held(system.rods[rod]); };
+  if (touches_fixed(system, island.contacts) || std::ranges::any_of(island.rods, held))
     now.settled += unexplained(system, before, now.state, 0.0, {});
 }
 
@@ -157,6 +158,7 @@ void close(const Island& island,
     Touch& touch = closed.touches.back();
     touch.sticks = modes.sides[k].sticks;
     touch.slips = modes.sides[k].slips;
+    touch.idle = modes.sides[k].idle;
     touch.anchor = place_along(*work.system, closed.contacts[touch.first]);
   }
 }

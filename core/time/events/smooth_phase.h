@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/scales.h"
+#include "core/time/events/contact_modes.h"
 #include "core/time/events/equations_of_motion.h"
 #include "core/time/events/event_function.h"
 #include "core/time/events/motion_piece.h"
@@ -80,6 +81,10 @@ class SmoothPhase {
   /// Puts a state on the closed contacts.
   void project(State& state) { equations_.project(state); }
   [[nodiscard]] bool redundant() const { return equations_.redundant(); }
+  /// Whether friction gives energy, at the state of the last evaluation, where it should take some.
+  [[nodiscard]] bool friction_drives() const {
+    return equations_.friction_drives(force_rounding * scales_.weight);
+  }
   /// Whether no accelerations keep the lengths of all rods at the end of the step.
   [[nodiscard]] bool rods_contradict() const;
   [[nodiscard]] bool free() const { return parabolas_ && equations_.free(); }

@@ -10,6 +10,20 @@ namespace {
 constexpr double rounding_share = 1e-13;
 constexpr double residual_share = 1e-9;
 
+/// Whether somebody pushed at an island who no longer touches it: what held it then does not hold it at rest.
+bool was_visited(const Stride& stride, const Island& island) {
+  std::vector<ContactId> own;
+  for (const Contact& c : island.contacts)
+    own.push_back(c.id());
+  std::ranges::sort(own);
+  const auto is_mine = [&](int body) { return std::ranges::binary_search(island.cubes, body); };
+  return std::ranges::any_of(stride.blows, [&](const auto& entry) {
+    const auto& [id, blow] = entry;
+    return blow.acts() && (is_mine(blow.start.on) || is_mine(blow.start.from))
+           && !std::ranges::binary_search(own, id);
+  });
+}
+
 }  // namespace
 
 bool is_at(const RestingIsland& island, const State& state) {
@@ -48,6 +62,7 @@ void RestingIslands::find(const Stride& stride, const std::vector<Island>& islan
     if (!island.rods.empty() || !rubs(*system_, island)) continue;
     const bool rested = of(island, stride.start) != nullptr;
     if (!stays(stride, island, end, rested ? residual_share : rounding_share)) continue;
+    if (!rested && was_visited(stride, island)) continue;
     for (const int cube : island.cubes) {
       end[cube] = stride.start[cube];
       stop(end[cube]);

@@ -87,6 +87,18 @@ void place_struck(const Body& body,
 /// several others there may be half of the energy.
 constexpr double most_scaled_up = 3.0;
 
+/// A clean-up of a look moves no cube by more than this share of its smaller side: a light one below a heavy one would be
+/// pushed out from there, to others that are not of its group.
+constexpr double most_cleaned = 0.1;
+
+bool is_pushed_out(const System& system, const State& from, const State& to) {
+  for (int i = 0; i < system.cubes; ++i) {
+    if ((to[i].position - from[i].position).norm() > most_cleaned * system.body(i).smaller_side())
+      return true;
+  }
+  return false;
+}
+
 /// Looks may not depend on other looks.
 MotionSettings without_memory(MotionSettings settings) {
   settings.skips.certificate = false;
@@ -230,7 +242,9 @@ State StepLook::at(
   removal_.begin(from, h);
   Bookkeeping aside;
   const std::vector<Contact> cleaned = removal_.clean_up(state, aside);
-  if (removal_.left() > overlap_share) removal_.retreat(state);
+  const bool pushed_out = is_pushed_out(*system_, uncleaned, state);
+  if (pushed_out) state = uncleaned;
+  if (pushed_out || removal_.left() > overlap_share) removal_.retreat(state);
   keep_turning(*system_, cleaned, uncleaned, state);
   for (const StepComponent& part : record.components)
     set_energy(part, from, to, share, state);

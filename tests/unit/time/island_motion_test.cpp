@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/scene_parser.h"
+#include "core/time/simulation.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -77,6 +79,22 @@ TEST(IslandMotion, WhatRestsInStepsDoesNotBounce) {
   EXPECT_NEAR(motion.state()[0].position.y(), 0.5, 1e-9);
   // Else every step has it bounce, and takes its velocity and that much of the weight away again.
   EXPECT_LT(motion.book().audit.momentum_settled, 1e-9);
+}
+
+TEST(IslandMotion, BooksNothingTwiceWhereAWindowIsCutShort) {
+  // Two that spin about each other take a thousand steps before the window is over in which a falls; then b has come near it.
+  Scene scene = parse_scene(R"(
+material = { restitution = 0.5 }
+plane = [{ name = "floor" }]
+cube = [{ name = "a", position = [0, 1], velocity = [3, 0] }, { name = "b", position = [2, 3] },
+        { name = "c", size = [1, 0.5], mass = 10, position = [20, 40], spin = -400 },
+        { name = "d", size = [1, 0.5], position = [23, 42] }]
+rod = [{ from = "d.w", to = "c.se" }]
+)",
+                            "spinners.toml");
+  Simulation simulation(scene, {});
+  simulation.advance_to(1.5);
+  EXPECT_NEAR(simulation.audit().drift(), 0.0, 1e-5);
 }
 
 }  // namespace

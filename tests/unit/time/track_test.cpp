@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/scene_parser.h"
+#include "tests/support/deepest_overlap.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -149,6 +151,29 @@ TEST(Track, OfTwoSteppingsTheLongerOneCounts) {
   for (const Track::Stepping& both : {later(a, b), later(b, a)}) {
     EXPECT_EQ(both.until, 2.0);
     EXPECT_EQ(both.patience, 8);
+  }
+}
+
+TEST(Track, GoesOnSteppingWhereClosingContactsWouldPushCubesIntoOthers) {
+  // Two rows of cubes without room to speak of, the rows and their ends joined by rods in one line: what closes a gap of
+  // 1e-9 between two of them turns others by its root.
+  Scene scene = parse_scene(R"(
+material = { friction = 0.7, restitution = 1 }
+cube = [{ name = "a", position = [0, 1], friction = 0 }, { name = "b", position = [1.000000001, 1] },
+        { name = "c", position = [2.000000002, 1] }, { name = "d", position = [3.0000000030000002, 1] },
+        { name = "e", position = [0, 2.000000001] },
+        { name = "f", position = [1, 2], velocity = [0.3, 1.4], friction = 0.004260480689834373 },
+        { name = "g", position = [2.000000002, 2.000000001] },
+        { name = "h", position = [3.0000000030000002, 2.000000001] }]
+rod = [{ from = "d.se", to = "e.se" }, { from = "h.w", to = "d.sw" }, { from = "a.w", to = "b" }, { from = "b", to = "c.sw" }]
+)",
+                            "rows.toml");
+  const Mechanism m(scene);
+  Track track(m.system, {}, policy_of({}));
+  track.start(m.state, 0.0, 1e-9, {}, {});
+  while (track.clock() < 0.06) {
+    track.advance(std::numeric_limits<double>::infinity());
+    ASSERT_LE(deepest_overlap(m.system, track.state()), 2e-10) << "at " << track.clock();
   }
 }
 

@@ -64,6 +64,22 @@ TEST(EquationsOfMotion, WhatSlipsIsBrakedAndItsSpeedIsWatched) {
   EXPECT_NEAR(e.loads[first], 2.0, 1e-14);
 }
 
+TEST(EquationsOfMotion, FrictionDrivesWhatSlipsAndIsHeldDown) {
+  Scene scene = on_floor({cube("a", {0.0, 0.5})});
+  for (Material* m : {&scene.cubes[0].material, &scene.planes[0].material})
+    m->friction = 0.25;
+  scene.cubes[0].velocity = {2.0, 0.0};
+  Evaluated e(scene);
+  EXPECT_FALSE(e.equations.friction_drives(1e-9));
+  // Corners that go round the centre stay on the floor while that falls by omega^2 / 2.
+  State turning = e.b.now.state;
+  turning[0].spin = 1.1 * std::sqrt(2.0 * g);
+  std::vector<double> y;
+  pack(turning, y);
+  e.equations(y, e.rate);
+  EXPECT_TRUE(e.equations.friction_drives(1e-9));
+}
+
 TEST(EquationsOfMotion, ARodKeepsItsLengthToSecondOrder) {
   // A pendulum at 30 degrees from below, turning at 2 rad/s: -g sin across, v^2 / l along the rod.
   Scene scene;

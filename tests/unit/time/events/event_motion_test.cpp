@@ -219,5 +219,19 @@ TEST(EventMotion, WhatTouchedAlreadyIsNoTouch) {
   }
 }
 
+TEST(EventMotion, WhatIsPutRightWhereARodHoldsIsGivenByItsFixedEnd) {
+  // b turns into a, to which a rod along their sides joins it, so that forces of rod and contacts are 10^6 times what they do
+  // together: velocities are off by as much.
+  Simulation simulation(parse_scene(R"(
+cube = [{ name = "a", position = [1, 1] }, { name = "b", position = [2, 1] }, { name = "top", position = [1, 2] }]
+rod = [{ from = "b.n", to = "a.n" }, { from = "a.ne", to = [2, 3] }]
+)",
+                                    "tied.toml"),
+                        {});
+  simulation.advance_to(0.02);
+  EXPECT_LE(simulation.audit().momentum_linear, 1e-12);
+  EXPECT_LE(simulation.audit().momentum_settled, 0.1);
+}
+
 }  // namespace
 }  // namespace wuerfel::test

@@ -165,6 +165,52 @@ TEST(FirstZero, OfManyCubicsIsWhereSamplesSeeIt) {
   EXPECT_GT(crossings, 1500);
 }
 
+/// The larger one of two cubics, as the separation of boxes is that by the side that separates them best: proofs and bounds are
+/// those of one of them.
+struct Larger {
+  struct Look : Sample {
+    int best = 0;
+  };
+  static constexpr double resolution = 1e-13;
+  std::array<Cubic, 2> f;
+
+  [[nodiscard]] Look at(double share) const {
+    const int best = f[1](share).value > f[0](share).value ? 1 : 0;
+    return {{share, f[best](share)}, best};
+  }
+  [[nodiscard]] bool positive_between(const Look& a, const Look& b, double shift) const {
+    const auto stays = [&](const Cubic& c) {
+      return c.known().positive_between({a.share, c(a.share)}, {b.share, c(b.share)}, shift);
+    };
+    return stays(f[a.best]) || stays(f[b.best]);
+  }
+  [[nodiscard]] double second_bound(const Look& a, const Look& /*b*/) const {
+    return f[a.best].known().bounds.second;
+  }
+};
+
+TEST(FirstZero, IsNotSkippedWhereAnotherSideSeparatesAfterwards) {
+  Draw draw;
+  int crossings = 0;
+  const auto cubic = [&] {
+    return Cubic{{draw(-1.0, 1.0), draw(-4.0, 4.0), draw(-8.0, 8.0), draw(-8.0, 8.0)}};
+  };
+  for (int k = 0; k < 20000; ++k) {
+    Larger f{{cubic(), cubic()}};
+    if (f.at(0.0).jet.value <= 0.0) continue;
+    const FirstZero found = first_zero(f, 1.0, Arming{});
+    constexpr int samples = 500;
+    int first = 1;
+    while (first <= samples && f.at(1.0 * first / samples).jet.value > 0.0)
+      ++first;
+    if (first > samples) continue;
+    ++crossings;
+    ASSERT_TRUE(found.share);
+    ASSERT_LE(*found.share, 1.0 * first / samples);
+  }
+  EXPECT_GT(crossings, 3000);
+}
+
 TEST(FirstZero, TakesFewLooksAtAFallingFunction) {
   Known f{
       [](double s) {

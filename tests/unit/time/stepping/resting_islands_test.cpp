@@ -100,5 +100,32 @@ TEST(RestingIslands, AreWhereTheyAreIfTheyAreSolvedAllTheSame) {
   }
 }
 
+TEST(RestingIslands, AreNotFoundWhereSomebodyPressedWhoHasLeft) {
+  const Mechanism m(two_cubes(0.5));
+  Workspace work(m.system, {});
+  std::vector<Contact> contacts;
+  std::vector<Island> islands;
+  work.finder.find(m.system, m.state, contacts);
+  find_islands(m.system, contacts, islands);
+  ASSERT_EQ(islands.size(), 2U);
+  Stride stride{step_length, scales_of(m.system, m.state), m.state, m.state, m.state, {}};
+  const Vec2 held(0.0, 0.25 * g * step_length);
+  for (const Contact& c : contacts)
+    stride.blows[c.id()] = {c, c, held, held};
+  for (const bool visited : {false, true}) {
+    if (visited) {
+      Contact blow = contacts.front();
+      blow.on = 0;
+      blow.from = 1;
+      stride.blows[blow.id()] = {blow, blow, held, Vec2::Zero()};
+    }
+    RestingIslands resting(work);
+    State end = m.state;
+    resting.find(stride, islands, end);
+    for (const Island& island : islands)
+      EXPECT_EQ(resting.skipped(island, m.state) == nullptr, visited);
+  }
+}
+
 }  // namespace
 }  // namespace wuerfel::test
