@@ -14,7 +14,8 @@ constexpr int guessed_factorisations = 4;  ///< from none
 constexpr double soft_delta = 1e-2;        ///< from which wrong modes do no harm
 constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 8;
-constexpr int unsure_seeds = 4;  ///< where no solution need exist
+constexpr int crossing_seeds = 3;  ///< that are tried across folds as well
+constexpr int unsure_seeds = 4;    ///< where no solution need exist
 constexpr int lemke_seeds = 3;
 /// How interior points of large programs, whose paths fold in many places at once, start and pass folds. More of them find next
 /// to nothing, and neither do paths.
@@ -173,6 +174,8 @@ bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult&
   for (int k = 0; k < seeds; ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
     if (stages.interior(friction, spread, seed + k, Folds::go_back, result)) return true;
+    if (k < crossing_seeds && stages.interior(friction, spread, seed + k, Folds::cross, result))
+      return true;
   }
   stages.take(result.multiplier);
   if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
