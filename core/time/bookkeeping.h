@@ -120,11 +120,11 @@ void add(const Bookkeeping& more, Bookkeeping& book);
 /// Audits what is unexplained up to now, as shares of the scale.
 void note_unexplained(const MomentumScale& scale, Bookkeeping& book);
 
-/// Books programs that were solved, and how well; or only what they cost, where the answer is judged
-/// by what it leads to.
 /// Sorts by time what came after the first events and losses; what happened at one time keeps its order.
 void sort_by_time(std::size_t events, std::size_t losses, Bookkeeping& book);
 
+/// Books programs that were solved, and how well; or only what they cost, where the answer is judged
+/// by what it leads to.
 void keep_cost(const Solves& solves, Bookkeeping& book);
 void keep_book(const Solves& solves, Bookkeeping& book);
 void keep_book(const IslandSolution& solution, Bookkeeping& book);

@@ -1,5 +1,5 @@
 /// K and a few terms of rank one, as contacts ask for that have changed their modes since K was factorised
-/// [Sherman, Morrison 1950] [Woodbury 1950]:
+/// [Sherman, Morrison 1950]:
 ///
 ///     K + sum G_i' a_i b_i' G_i,
 ///
