@@ -17,9 +17,10 @@ struct Wall {
     form.prepare(c.view(), judge.measure_scales(c.program));
     modes.assign(form.count(), ContactMode::slip_forward);
     Dice dice(5);
-    for (const ContactUnit& unit : form.units())
+    for (const ContactUnit& unit : form.units()) {
       r.push_back({dice.uniform(-1.0, 1.0) / unit.per_velocity.n,
                    dice.uniform(-1.0, 1.0) / unit.per_velocity.t});
+    }
     u.assign(form.blocks(), Quad{});
   }
   /// Solved with factors of its own.
