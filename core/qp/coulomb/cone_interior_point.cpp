@@ -234,9 +234,31 @@ void choose_direction(const ContactForm& form,
   find_direction(form, at, 0.9 * tau, system, step);
 }
 
-double damped(double delta, double most) {
-  return std::clamp(damping_change * delta, first_damping, most);
-}
+/// Of steps across folds.
+class Damping {
+ public:
+  explicit Damping(const ConeInteriorEffort& effort)
+      : crosses_(effort.folds == Folds::cross), least_(effort.delta), delta_(effort.delta) {}
+
+  [[nodiscard]] double delta() const { return delta_; }
+  /// Grows where det K has this sign; false where it is to stay as it is.
+  bool grow(int sign) {
+    if (!crosses_ || sign >= 0 || delta_ >= most_damping_back) return false;
+    grow_to(most_damping_back);
+    return true;
+  }
+  /// Takes note of the length of a step.
+  void follow(double step) {
+    if (crosses_ && step < damped_step) grow_to(most_damping);
+    if (crosses_ && step > undamped_step) delta_ = std::max(delta_ / damping_change, least_);
+  }
+
+ private:
+  void grow_to(double most) { delta_ = std::clamp(damping_change * delta_, first_damping, most); }
+
+  bool crosses_;
+  double least_, delta_;
+};
 
 }  // namespace
 
@@ -247,23 +269,18 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
   ConeInteriorOutcome outcome;
   start(form, effort, at_);
   step_.pairs.assign(at_.pairs.size(), {});
-  const bool crosses = effort.folds == Folds::cross;
-  double delta = effort.delta;
+  Damping damping(effort);
   int stuck = 0;
   int worse = 0;
   while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps
          && worse < most_worse_steps) {
-    find_weights(form, at_.pairs, delta, system_.weight);
+    find_weights(form, at_.pairs, damping.delta(), system_.weight);
     ++outcome.factorisations;
     if (!form.factorise(system_.weight)) break;
-    if (crosses && form.sign() < 0 && delta < most_damping_back) {
-      delta = damped(delta, most_damping_back);
-      continue;
-    }
+    if (damping.grow(form.sign())) continue;
     choose_direction(form, at_, effort.folds, system_, step_);
     double step = step_length(at_, step_);
-    if (crosses && step < damped_step) delta = damped(delta, most_damping);
-    if (crosses && step > undamped_step) delta = std::max(delta / damping_change, effort.delta);
+    damping.follow(step);
     if (step < short_step) step = step_length_of_most(at_, step_);
     move(step, step_, at_);
     const double worst = worst_pair(form, weight, at_);

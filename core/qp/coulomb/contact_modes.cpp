@@ -171,8 +171,8 @@ void ModeSystem::solve_again(const ContactForm& form,
                              const std::vector<Pair>& r,
                              const std::vector<Quad>& u,
                              int unit) {
-  const Pair& Gdy = step_.Gdy[unit];
-  terms_.correct(form, {r[unit].n - Gdy.n, r[unit].t - Gdy.t}, step_.dy);
+  const Pair& rows = step_.Gdy[unit];
+  terms_.correct(form, {r[unit].n - rows.n, r[unit].t - rows.t}, step_.dy);
   find_forces(form, r);
   refine(form, r, u);
 }
