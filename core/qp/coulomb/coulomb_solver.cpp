@@ -17,14 +17,16 @@ constexpr int interior_seeds = 8;
 constexpr int crossing_seeds = 3;  ///< that are tried across folds as well
 constexpr int unsure_seeds = 4;    ///< where no solution need exist
 constexpr int lemke_seeds = 3;
-/// How interior points of large programs, whose paths fold in many places at once, start and pass folds. More of them find next
-/// to nothing, and neither do paths.
+/// How interior points of large programs, whose paths fold in many places at once, start and pass folds. Half of what one misses
+/// the others find; paths of pieces find next to nothing.
 struct InteriorTry {
   double spread;
   Folds folds;
 };
-constexpr std::array tries_of_many{InteriorTry{0.0, Folds::cross}, InteriorTry{1.0, Folds::go_back},
-                                   InteriorTry{1.5, Folds::cross}};
+constexpr std::array tries_of_many{
+    InteriorTry{0.0, Folds::cross}, InteriorTry{1.0, Folds::go_back},
+    InteriorTry{1.5, Folds::cross}, InteriorTry{2.0, Folds::go_back},
+    InteriorTry{0.5, Folds::cross}, InteriorTry{0.0, Folds::go_back}};
 constexpr int most_pivoted = 120;  ///< contacts of programs that are followed with pivoting
 
 bool any_slides(const FrictionProgram& friction) {
