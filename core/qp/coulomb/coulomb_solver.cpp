@@ -27,6 +27,7 @@ constexpr std::array tries_of_many{
     InteriorTry{0.0, Folds::cross}, InteriorTry{1.0, Folds::go_back},
     InteriorTry{1.5, Folds::cross}, InteriorTry{2.0, Folds::go_back},
     InteriorTry{0.5, Folds::cross}, InteriorTry{0.0, Folds::go_back}};
+constexpr std::size_t unsure_tries_of_many = 3;
 constexpr int most_pivoted = 120;  ///< contacts of programs that are followed with pivoting
 
 bool any_slides(const FrictionProgram& friction) {
@@ -166,12 +167,14 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
 /// less is asked then) what is dearest is left out.
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
-  if (friction.contacts.size() > most_from_open) {
-    return std::ranges::any_of(tries_of_many, [&, k = seed](const InteriorTry& t) mutable {
-      return stages.interior(friction, t.spread, k++, t.folds, result);
-    });
-  }
   const bool exists = may_stand(friction);
+  if (friction.contacts.size() > most_from_open) {
+    const std::size_t tries = exists ? tries_of_many.size() : unsure_tries_of_many;
+    return std::ranges::any_of(std::span(tries_of_many).first(tries),
+                               [&, k = seed](const InteriorTry& t) mutable {
+                                 return stages.interior(friction, t.spread, k++, t.folds, result);
+                               });
+  }
   const int seeds = exists ? interior_seeds : unsure_seeds;
   for (int k = 0; k < seeds; ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
