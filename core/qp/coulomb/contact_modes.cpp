@@ -9,8 +9,6 @@
 namespace wuerfel {
 namespace {
 
-constexpr double exact_balance =
-    1e-11;  ///< unbalance of dy to which solves are refined; callers take up the rest
 constexpr int most_cheap_blocks = 32;  ///< whose factors cost no more than terms of rank one
 
 }  // namespace
@@ -144,7 +142,8 @@ void ModeSystem::find_forces(const ContactForm& form, const std::vector<Pair>& r
 
 void ModeSystem::solve(const ContactForm& form,
                        const std::vector<Pair>& r,
-                       const std::vector<Quad>& u) {
+                       const std::vector<Quad>& u,
+                       double balance) {
   auto& [dy, dl, Gdy] = step_;
   dl.resize(r.size());
   Gdy.resize(r.size());
@@ -164,7 +163,7 @@ void ModeSystem::solve(const ContactForm& form,
   terms_.solve(form, u_);
   dy = u_;
   find_forces(form, r);
-  refine(form, r, u);
+  refine(form, r, u, balance);
 }
 
 void ModeSystem::solve_again(const ContactForm& form,
@@ -174,12 +173,13 @@ void ModeSystem::solve_again(const ContactForm& form,
   const Pair& rows = step_.Gdy[unit];
   terms_.correct(form, {r[unit].n - rows.n, r[unit].t - rows.t}, step_.dy);
   find_forces(form, r);
-  refine(form, r, u);
+  refine(form, r, u, fine_balance);
 }
 
 void ModeSystem::refine(const ContactForm& form,
                         const std::vector<Pair>& r,
-                        const std::vector<Quad>& u) {
+                        const std::vector<Quad>& u,
+                        double balance) {
   std::vector<Quad>& dy = step_.dy;
   double former = unbounded;
   for (int round = 0; round < most_refinements; ++round) {
@@ -192,7 +192,7 @@ void ModeSystem::refine(const ContactForm& form,
         size = std::max(size, std::abs(dy[b].v[c]));
       }
     }
-    if (missed <= exact_balance * size || !(missed < 0.5 * former)) break;
+    if (missed <= balance * size || !(missed < 0.5 * former)) break;
     former = missed;
     terms_.solve(form, u_);
     add(1.0, u_, dy);

@@ -74,6 +74,10 @@ struct Crossing {
 
 enum class Pivoting { none, full };
 
+/// Shares of dy to which G' dl - dy is refined: of steps that are final, and of those whose next one takes up the rest.
+inline constexpr double fine_balance = 1e-11;
+inline constexpr double rough_balance = 1e-4;
+
 class ModeSystem {
  public:
   /// K of these modes; false where it is singular.
@@ -87,7 +91,10 @@ class ModeSystem {
   [[nodiscard]] bool updated() const { return !terms_.empty(); }
   /// Solves  g dy + d dl = r  for the rows in force and  dy - G' dl = u,  refined. `r` of rows not
   /// in force is not looked at.
-  void solve(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
+  void solve(const ContactForm& form,
+             const std::vector<Pair>& r,
+             const std::vector<Quad>& u,
+             double balance = fine_balance);
   /// Solves it for the same `r` and `u` as the last time, after `updated` by the mode of a unit.
   void solve_again(const ContactForm& form,
                    const std::vector<Pair>& r,
@@ -99,7 +106,10 @@ class ModeSystem {
 
  private:
   [[nodiscard]] ContactForm::Weight weight_of(const ContactUnit& unit, ContactMode mode) const;
-  void refine(const ContactForm& form, const std::vector<Pair>& r, const std::vector<Quad>& u);
+  void refine(const ContactForm& form,
+              const std::vector<Pair>& r,
+              const std::vector<Quad>& u,
+              double balance);
   void find_forces(const ContactForm& form, const std::vector<Pair>& r);
 
   PivotedModes pivoted_;

@@ -98,7 +98,7 @@ bool ModeNewton::find_unbalance(const ContactForm& form, const ContactPoint& poi
 void ModeNewton::step(const ContactForm& form, ContactPoint& point) {
   find_unbalance(form, point);
   find_missing(form, point);
-  system_.solve(form, missing_, unbalance_);
+  system_.solve(form, missing_, unbalance_, rough_balance);
   system_.move(1.0, point);
 }
 
