@@ -38,20 +38,23 @@ std::string_view size_defect(const QuadraticProgram& p) {
   return {};
 }
 
-bool repeats_a_block(const QuadraticProgram& p, int row) {
-  const auto first = p.entry_block.begin() + p.row_start[row];
-  const auto last = p.entry_block.begin() + p.row_start[row + 1];
-  for (auto e = first; e != last; ++e)
+bool repeats_a_block(const int* first, const int* last) {
+  if (last - first == 2) return first[0] == first[1];  // as nearly all rows have
+  for (const int* e = first; e < last; ++e)
     if (std::find(first, e, *e) != e) return true;
   return false;
 }
 
 std::string_view entry_defect(const QuadraticProgram& p) {
-  const int blocks = p.blocks();
-  if (std::ranges::any_of(p.entry_block, [&](int b) { return b < 0 || b >= blocks; }))
-    return "a row names a block that does not exist";
-  for (int row = 0; row < p.rows(); ++row)
-    if (repeats_a_block(p, row)) return "a row names a block twice";
+  if (!p.entry_block.empty()) {
+    const auto [least, largest] = std::ranges::minmax(p.entry_block);
+    if (least < 0 || largest >= p.blocks()) return "a row names a block that does not exist";
+  }
+  const int* block = p.entry_block.data();
+  for (int row = 0; row < p.rows(); ++row) {
+    if (repeats_a_block(block + p.row_start[row], block + p.row_start[row + 1]))
+      return "a row names a block twice";
+  }
   return {};
 }
 

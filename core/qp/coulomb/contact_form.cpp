@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "core/qp/block/clones.h"
 #include "core/qp/block/column.h"
@@ -23,11 +25,19 @@ inline void add_outer(const Column& n, const Column& p, const Column& t, const C
 /// Normal and tangential part side by side.
 using Both = double __attribute__((vector_size(sizeof(Pair))));
 
-/// Adds the blocks of a row that are not there yet from `first` on.
-void add_blocks(const QuadraticProgram& p, int row, int first, std::vector<int>& blocks) {
-  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-    const auto known = std::find(blocks.begin() + first, blocks.end(), p.entry_block[e]);
-    if (known == blocks.end()) blocks.push_back(p.entry_block[e]);
+std::span<const int> blocks_of_row(const QuadraticProgram& p, int row) {
+  return {p.entry_block.data() + p.row_start[row], p.entry_block.data() + p.row_start[row + 1]};
+}
+
+/// Adds the blocks of a unit: those of its normal row, and what the tangential one has beyond them.
+void add_blocks(const QuadraticProgram& p, const ContactUnit& unit, std::vector<int>& blocks) {
+  const std::span<const int> normal = blocks_of_row(p, unit.normal);
+  blocks.insert(blocks.end(), normal.begin(), normal.end());
+  if (unit.tangent < 0) return;
+  const std::span<const int> tangent = blocks_of_row(p, unit.tangent);
+  if (std::ranges::equal(normal, tangent)) return;
+  for (const int block : tangent) {
+    if (std::ranges::find(normal, block) == normal.end()) blocks.push_back(block);
   }
 }
 
@@ -61,8 +71,7 @@ void ContactForm::gather(const FrictionProgram& friction) {
   couplings_.assign(1, blocks_);
   for (ContactUnit& unit : units_) {
     unit.first = static_cast<int>(couplings_.size());
-    add_blocks(p, unit.normal, unit.first, couplings_);
-    if (unit.tangent >= 0) add_blocks(p, unit.tangent, unit.first, couplings_);
+    add_blocks(p, unit, couplings_);
     unit.last = static_cast<int>(couplings_.size());
     couplings_.push_back(-1);
   }
@@ -81,6 +90,7 @@ void ContactForm::plan() {
     position_.resize(order_.size());
     for (int number = 0; number < blocks_; ++number)
       position_[order_[number]] = number;
+    root_.clear();
   }
   block_.assign(couplings_.size(), -1);
   for (const ContactUnit& unit : units_) {
@@ -92,20 +102,30 @@ void ContactForm::plan() {
 }
 
 void ContactForm::find_graph(std::vector<int>& start, std::vector<int>& neighbour) const {
-  std::vector<std::vector<int>> near(blocks_);
+  // Neighbours as often as units name them, block by block.
+  std::vector<int> place(blocks_ + 1, 0);
+  for (const ContactUnit& unit : units_) {
+    for (int a = unit.first; a < unit.last; ++a)
+      place[couplings_[a] + 1] += unit.last - unit.first - 1;
+  }
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<int> named(place.back());
   for (const ContactUnit& unit : units_) {
     for (int a = unit.first; a < unit.last; ++a) {
       for (int b = unit.first; b < unit.last; ++b)
-        if (a != b) near[couplings_[a]].push_back(couplings_[b]);
+        if (a != b) named[place[couplings_[a]]++] = couplings_[b];
     }
   }
+  // Each place has moved to where the next one began.
   start.assign(1, 0);
   neighbour.clear();
-  for (std::vector<int>& of_block : near) {
-    std::sort(of_block.begin(), of_block.end());
-    of_block.erase(std::unique(of_block.begin(), of_block.end()), of_block.end());
-    neighbour.insert(neighbour.end(), of_block.begin(), of_block.end());
+  auto first = named.begin();
+  for (int block = 0; block < blocks_; ++block) {
+    const auto last = named.begin() + place[block];
+    std::sort(first, last);
+    std::unique_copy(first, last, std::back_inserter(neighbour));
     start.push_back(static_cast<int>(neighbour.size()));
+    first = last;
   }
 }
 
@@ -119,13 +139,20 @@ void ContactForm::place_pairs() {
   }
 }
 
-void ContactForm::scale(const FrictionProgram& friction, const CoulombScales& scales) {
-  const QuadraticProgram& p = friction.program;
+/// M^(-1/2), anew where masses or the order have changed.
+void ContactForm::find_roots(const QuadraticProgram& p) {
+  if (mass_ == p.mass && !root_.empty()) return;
+  mass_ = p.mass;
   root_.assign(order_.size(), Quad{});
   for (int number = 0; number < blocks_; ++number) {
     for (int c = 0; c < p.block_size; ++c)
       root_[number].v[c] = 1.0 / std::sqrt(p.mass[order_[number] * p.block_size + c]);
   }
+}
+
+void ContactForm::scale(const FrictionProgram& friction, const CoulombScales& scales) {
+  const QuadraticProgram& p = friction.program;
+  find_roots(p);
   entry_.assign(block_.size(), ContactEntry{});
   double largest = 0.0;
   const double per_velocity = scales.velocity > 0.0 ? 1.0 / scales.velocity : 1.0;
@@ -154,19 +181,19 @@ void ContactForm::scale_row(const QuadraticProgram& p,
                             ContactUnit& unit) {
   double shift = 0.0;
   double square = 0.0;
-  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-    const int number = position_[p.entry_block[e]];
+  p.for_each_entry(row, [&](const double* J, int first, int size) {
+    const int number = position_[first / size];
     int k = unit.first;
     while (block_[k] != number)
       ++k;
-    Quad& g = tangential ? entry_[k].t : entry_[k].n;
-    for (int c = 0; c < p.block_size; ++c) {
-      const double J = p.coefficients[e * p.block_size + c];
-      shift += J * p.target[p.entry_block[e] * p.block_size + c];
-      g.v[c] = J * root_[number].v[c];
+    Quad g{};
+    for (int c = 0; c < size; ++c) {
+      shift += J[c] * p.target[first + c];
+      g.v[c] = J[c] * root_[number].v[c];
       square += g.v[c] * g.v[c];
     }
-  }
+    (tangential ? entry_[k].t : entry_[k].n) = g;
+  });
   (tangential ? unit.h.t : unit.h.n) = p.bound[row] - shift;
   (tangential ? unit.square.t : unit.square.n) = square;
 }

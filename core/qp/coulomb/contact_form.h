@@ -87,6 +87,7 @@ class ContactForm {
   void plan();
   void find_graph(std::vector<int>& start, std::vector<int>& neighbour) const;
   void place_pairs();
+  void find_roots(const QuadraticProgram& p);
   void scale(const FrictionProgram& friction, const CoulombScales& scales);
   void scale_row(const QuadraticProgram& p, int row, bool tangential, ContactUnit& unit);
 
@@ -101,7 +102,8 @@ class ContactForm {
   std::vector<int> couplings_;  ///< the same of this program
   std::vector<int> start_, neighbour_;  ///< which blocks are coupled, as the order was found for
   std::vector<int> order_, position_;
-  std::vector<Quad> root_;  ///< M^(-1/2) by elimination number
+  std::vector<double> mass_;  ///< that the roots are of
+  std::vector<Quad> root_;    ///< M^(-1/2) by elimination number
   std::vector<char> of_contact_;
 };
 

@@ -36,16 +36,16 @@ void CoulombJudge::find_units(const QuadraticProgram& p) {
   unit_.resize(mass_.size());
   for (int j = 0; j < p.unknowns(); ++j)
     unit_[j] = std::sqrt(mass_[j - j % p.block_size] / mass_[j]);
+  square_.resize(mass_.size());
+  std::ranges::transform(unit_, square_.begin(), [](double unit) { return unit * unit; });
 }
 
 double CoulombJudge::norm_of(const QuadraticProgram& p, int row) const {
   double square = 0.0;
-  for (int e = p.row_start[row]; e < p.row_start[row + 1]; ++e) {
-    const double* unit = unit_.data() + p.entry_block[e] * p.block_size;
-    const double* J = p.coefficients.data() + e * p.block_size;
-    for (int c = 0; c < p.block_size; ++c)
-      square += J[c] * J[c] * (unit[c] * unit[c]);
-  }
+  p.for_each_entry(row, [&](const double* J, int first, int size) {
+    for (int c = 0; c < size; ++c)
+      square += J[c] * J[c] * square_[first + c];
+  });
   return std::sqrt(square);
 }
 
@@ -76,15 +76,8 @@ double CoulombJudge::apply_rows(const QuadraticProgram& p,
   double largest = scales_.weight;
   for (int i = 0; i < p.rows(); ++i) {
     largest = std::max(largest, std::abs(multiplier[i]) * scales_.row_norm[i]);
-    slack_[i] = -p.bound[i];
-    for (int e = p.row_start[i]; e < p.row_start[i + 1]; ++e) {
-      const int first = p.entry_block[e] * p.block_size;
-      const double* J = p.coefficients.data() + e * p.block_size;
-      for (int c = 0; c < p.block_size; ++c) {
-        slack_[i] += J[c] * x[first + c];
-        force_[first + c] -= J[c] * multiplier[i];
-      }
-    }
+    slack_[i] = p.slack(i, x);
+    p.add_row_force(i, -multiplier[i], force_);
   }
   return largest;
 }

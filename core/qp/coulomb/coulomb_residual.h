@@ -57,8 +57,9 @@ class CoulombJudge {
   [[nodiscard]] double norm_of(const QuadraticProgram& program, int row) const;
 
   CoulombScales scales_;
-  std::vector<double> mass_;  ///< that the units are of
-  std::vector<double> unit_;  ///< sqrt(M_first / M) of a coordinate: makes it one of the first
+  std::vector<double> mass_;    ///< that the units are of
+  std::vector<double> unit_;    ///< sqrt(M_first / M) of a coordinate: makes it one of the first
+  std::vector<double> square_;  ///< of the units
   double largest_force_ = 0.0;
   std::vector<double> force_;  ///< M (x - f) - J' lambda
   std::vector<double> slack_;  ///< J x - b
