@@ -42,12 +42,6 @@ void add_plane_touches(const Touch& touch,
 
 }  // namespace
 
-std::int64_t name_of(const Contact& c) {
-  constexpr int body_bits = 29;
-  static_assert(Box::corners <= 4, "two bits each for corner and side");
-  return (((std::int64_t{c.on} << body_bits) | c.from) << 4) | (c.corner << 2) | c.side;
-}
-
 double gap_rounding(const Vec2& a, const Vec2& b) {
   constexpr double few_bits = 1e-15;
   return few_bits * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());

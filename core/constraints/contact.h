@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "core/constraints/neighbours.h"
@@ -17,9 +16,14 @@ inline constexpr double rate_tolerance = 1e-9;
 /// What rounding may leave of a gap between bodies at these places, m.
 double gap_rounding(const Vec2& a, const Vec2& b);
 
-/// What of a contact stays the same from step to step: bodies of corner and side, and their
-/// numbers.
-using ContactId = std::tuple<int, int, int, int>;
+/// What of a contact stays the same from step to step: bodies of corner and side, and their numbers, as one number in
+/// the order of these, not negative.
+using ContactId = std::int64_t;
+constexpr ContactId contact_id(int on, int from, int corner, int side) {
+  constexpr int body_bits = 29;
+  static_assert(Box::corners <= 4, "two bits each for corner and side");
+  return (((ContactId{on} << body_bits) | from) << 4) | (corner << 2) | side;
+}
 
 /// Corner p_k of body `on` at the side (p_i, p_j) of body `from`. Points are given by their arms
 /// from the centres, or, on planes and fixed boxes, from the same places with zero velocity.
@@ -39,11 +43,8 @@ struct Contact {
   Vec2 arm_j = Vec2::Zero();   ///< m, p_j from the centre of `from`
 
   /// What stays the same from step to step.
-  [[nodiscard]] ContactId id() const { return {on, from, corner, side}; }
+  [[nodiscard]] ContactId id() const { return contact_id(on, from, corner, side); }
 };
-
-/// id() as a number of the same order, not negative.
-std::int64_t name_of(const Contact& contact);
 
 /// Velocities of the three points of a contact.
 struct ContactVelocity {

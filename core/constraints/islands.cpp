@@ -8,8 +8,17 @@
 namespace wuerfel {
 namespace {
 
-/// Per cube the number of its island, in the order of their first cubes; -1: it is free.
-std::vector<int> number_islands(const System& system, const std::vector<Contact>& contacts) {
+/// Keeps its memory.
+void forget(Island& island) {
+  island.cubes.clear();
+  island.contacts.clear();
+  island.touches.clear();
+  island.rods.clear();
+}
+
+}  // namespace
+
+std::vector<int> number_islands(const System& system, std::span<const IndexPair> joined_bodies) {
   UnionFind sets(system.cubes);
   std::vector<int> number(system.cubes, -1);
   constexpr int joined = 0;
@@ -19,8 +28,8 @@ std::vector<int> number_islands(const System& system, const std::vector<Contact>
     if (moves(b)) number[b] = joined;
     if (moves(a) && moves(b)) sets.unite(a, b);
   };
-  for (const Contact& c : contacts)
-    join(c.on, c.from);
+  for (const auto& [a, b] : joined_bodies)
+    join(a, b);
   for (const Rod& rod : system.rods)
     join(rod.i.body, rod.j.body);
   std::vector<int> of_root(system.cubes, -1);
@@ -34,16 +43,6 @@ std::vector<int> number_islands(const System& system, const std::vector<Contact>
   return number;
 }
 
-/// Keeps its memory.
-void forget(Island& island) {
-  island.cubes.clear();
-  island.contacts.clear();
-  island.touches.clear();
-  island.rods.clear();
-}
-
-}  // namespace
-
 void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
                   std::vector<Island>& islands) {
@@ -54,7 +53,11 @@ void find_islands(const System& system,
                   const std::vector<Contact>& contacts,
                   std::span<const Touch> touches,
                   std::vector<Island>& islands) {
-  const std::vector<int> number = number_islands(system, contacts);
+  std::vector<IndexPair> joined;
+  joined.reserve(contacts.size());
+  for (const Contact& c : contacts)
+    joined.emplace_back(c.on, c.from);
+  const std::vector<int> number = number_islands(system, joined);
   const int count = number.empty() ? 0 : std::ranges::max(number) + 1;
   islands.resize(count);
   for (Island& island : islands)
@@ -64,6 +67,11 @@ void find_islands(const System& system,
   const auto island_of = [&](int on, int from) -> Island& {
     return islands[number[system.is_cube(on) ? on : from]];
   };
+  std::vector<std::size_t> size(islands.size(), 0);
+  for (const auto& [on, from] : joined)
+    ++size[number[system.is_cube(on) ? on : from]];
+  for (std::size_t k = 0; k < size.size(); ++k)
+    islands[k].contacts.reserve(size[k]);
   // Contacts of a touch stay together: they are of the same island.
   std::vector<int> place;
   place.reserve(touches.empty() ? 0 : contacts.size());

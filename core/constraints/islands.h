@@ -17,6 +17,10 @@ struct Island {
   std::vector<double> bends{};
 };
 
+/// Per cube the number of its island, in the order of their first cubes; -1: it is free. Islands are joined by rods and
+/// by pairs of bodies.
+std::vector<int> number_islands(const System& system, std::span<const IndexPair> joined_bodies);
+
 /// Cubes joined by contacts and rods, in the order of their first cube; free cubes belong to no island.
 void find_islands(const System& system,
                   const std::vector<Contact>& contacts,

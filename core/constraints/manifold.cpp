@@ -124,25 +124,14 @@ struct Candidates {
 
 Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tolerance) {
   Candidates found;
-  std::array<FacingSide, 2 * Box::corners> all;
-  const Box& a = boxes[i];
-  const Box& b = boxes[j];
-  for (int e = 0; e < Box::corners; ++e) {
-    // cppcheck-suppress containerOutOfBounds ; there are 2 * Box::corners = 8 of them, not 2
-    all[e] = {i, j, e, side_separation(a, e, b)};
-    // cppcheck-suppress containerOutOfBounds ; likewise
-    all[e + Box::corners] = {j, i, e, side_separation(b, e, a)};
-  }
-  found.largest = all[0].separation;
-  for (const FacingSide& c : all) {
-    found.largest = std::max(found.largest, c.separation);
-  }
+  const SideSeparations all = side_separations(boxes[i], boxes[j]);
+  found.largest = std::ranges::max(all);
   if (found.largest > tolerance) return found;
   const double least = std::min(found.largest, 0.0) - tolerance;
-  for (const FacingSide& c : all) {
-    if (c.separation >= least) {
-      found.list[found.count++] = c;
-    }
+  for (int e = 0; e < 2 * Box::corners; ++e) {
+    if (all[e] < least) continue;
+    found.list[found.count++] =
+        e < Box::corners ? FacingSide{i, j, e, all[e]} : FacingSide{j, i, e - Box::corners, all[e]};
   }
   return found;
 }

@@ -30,15 +30,18 @@ FacingSide separating_side(const System& system, const Way& way, double slow, in
   FacingSide meeting;
   double latest = -1.0;
   const bool covers = system.body(i).cover || system.body(j).cover;
+  const SideSeparations start = side_separations(way.start[i], way.start[j]);
+  const SideSeparations end = side_separations(way.end[i], way.end[j]);
+  const SideSeparations drift = side_separations(way.drift[i], way.drift[j]);
   const auto look_at = [&](int from, int on, int side) {
     if (covers && is_covered(system, deepest_corner_at(way.end, from, on, side))) return;
-    const double before = side_separation(way.start[from], side, way.start[on]);
-    const double after = side_separation(way.end[from], side, way.end[on]);
+    const int k = from == i ? side : side + Box::corners;
+    const double before = start[k];
+    const double after = end[k];
     take_larger({from, on, side, std::min(before, after)}, best);
     take_larger({from, on, side, before}, deepest);
     if (before < -zero) return;
-    const double drifted = side_separation(way.drift[from], side, way.drift[on]);
-    take_larger({from, on, side, std::min(before, drifted)}, carried);
+    take_larger({from, on, side, std::min(before, drift[k])}, carried);
     const double when = closing_time(before, after);
     if (when <= latest) return;
     latest = when;
@@ -50,7 +53,7 @@ FacingSide separating_side(const System& system, const Way& way, double slow, in
   }
   if (best.separation >= 0.0) return best;
   if (carried.separation >= -slow) {
-    carried.separation = side_separation(way.end[carried.from], carried.side, way.end[carried.on]);
+    carried.separation = end[carried.from == i ? carried.side : carried.side + Box::corners];
     return carried;
   }
   if (latest >= 0.0) return meeting;

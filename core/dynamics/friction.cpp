@@ -13,7 +13,7 @@ namespace {
 std::vector<std::uint64_t> keys_of(const Island& island) {
   std::vector<std::uint64_t> keys;
   for (const Contact& c : island.contacts)
-    keys.push_back(static_cast<std::uint64_t>(name_of(c)));
+    keys.push_back(static_cast<std::uint64_t>(c.id()));
   return keys;
 }
 

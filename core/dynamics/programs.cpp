@@ -99,7 +99,7 @@ void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use)
     if (use[k] == SideUse::none) continue;
     const Contact& c = island.contacts[k];
     program_.add_row(0.0, use[k] == SideUse::equality ? -unbounded : 0.0, unbounded);
-    program_.row_name.push_back(name_of(c));
+    program_.row_name.push_back(c.id());
     for (const int body : {c.on, c.from}) {
       if (!system_->is_cube(body)) continue;
       program_.entry_block.push_back(local_[body]);
@@ -170,7 +170,7 @@ void ProgramBuilder::add_friction(const State& state,
       } else {
         const ContactRow rigid = pull_back(*system_, state, c, order, row);
         rub.tangent = program_.add_row(-rigid.c, -unbounded, unbounded);
-        program_.row_name.push_back(-1 - name_of(c));
+        program_.row_name.push_back(-1 - c.id());
         if (system_->is_cube(c.on)) program_.add_entry(local_[c.on], rigid.on);
         if (system_->is_cube(c.from)) program_.add_entry(local_[c.from], rigid.from);
       }

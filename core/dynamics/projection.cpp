@@ -115,7 +115,8 @@ Projection project_places(const System& system,
       result.solves.add(solution);
       if (policy.contradiction == Contradiction::leave && solution.status != QpStatus::optimal)
         continue;
-      if (goes_too_far(part, solution)) return result;
+      result.too_far = goes_too_far(part, solution);
+      if (result.too_far) return result;
       take_over(part, solution, result);
       corrected = true;
     }

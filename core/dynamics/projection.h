@@ -54,6 +54,7 @@ bool rests(const System& system, const State& state, const Restricted& part);
 struct [[nodiscard]] Projection {
   State state;
   bool moved = false;              ///< somebody was
+  bool too_far = false;            ///< it ended where an island would have moved too far
   int rounds = 0;                  ///< that were made
   std::vector<Contact> pushing{};  ///< those that bore a part of it without being closed
   std::vector<Contact> opened{};   ///< of islands whose closed contacts had to open

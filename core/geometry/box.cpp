@@ -32,16 +32,30 @@ double side_separation(const Box& a, int e, const Box& b) {
   return center_distance - extent - a.reach(e);
 }
 
-double separation(const Box& a, const Box& b) {
-  double largest = side_separation(a, 0, b);
-  for (int e = 1; e < Box::corners; ++e) {
-    largest = std::max(largest, side_separation(a, e, b));
-  }
-  for (int e = 0; e < Box::corners; ++e) {
-    largest = std::max(largest, side_separation(b, e, a));
-  }
-  return largest;
+/// The same bits as one by one: opposite sides have opposite distances, and all of them see the other box under the same
+/// angle.
+SideSeparations side_separations(const Box& a, const Box& b) {
+  const Vec2 way = b.center - a.center;
+  const double along = std::abs(a.axis.dot(b.axis));
+  const double across = std::abs(det(a.axis, b.axis));
+  SideSeparations all{};
+  const auto add = [&](const Box& from, const Box& on, const Vec2& to, double* out) {
+    const double of_width = along * on.half.x() + across * on.half.y();
+    const double of_height = across * on.half.x() + along * on.half.y();
+    for (int e = 0; e < 2; ++e) {
+      const double distance = from.normal(e).dot(to);
+      const double extent = e == 0 ? of_height : of_width;
+      out[e] = distance - extent - from.reach(e);
+      out[e + 2] = -distance - extent - from.reach(e + 2);
+    }
+    if (from.is_point()) std::fill_n(out, Box::corners, -std::numeric_limits<double>::infinity());
+  };
+  add(a, b, way, all.data());
+  add(b, a, -way, all.data() + Box::corners);
+  return all;
 }
+
+double separation(const Box& a, const Box& b) { return std::ranges::max(side_separations(a, b)); }
 
 double plane_separation(const Vec2& point, const Vec2& normal, const Box& box) {
   const double extent = std::abs(normal.dot(box.axis)) * box.half.x()

@@ -56,6 +56,10 @@ Box make_box(const Vec2& center, double angle, const Vec2& size);
 /// infinity where `a` is a point: it has no sides.
 double side_separation(const Box& a, int e, const Box& b);
 
+/// Separations along all sides of a pair: those of `a`, then those of `b`.
+using SideSeparations = std::array<double, 2 * Box::corners>;
+SideSeparations side_separations(const Box& a, const Box& b);
+
 /// Largest side separation over the eight sides (separating axes): negative where the boxes
 /// overlap, then minus the depth; where positive a lower bound of the distance.
 double separation(const Box& a, const Box& b);

@@ -28,9 +28,13 @@ struct TakenStep {
       sum += blow.first;
     return sum;
   }
+  void find_touching(const State& state) {
+    removal.measure(state, touching_share);
+    landing.find_touching(stride, book);
+  }
   /// Velocities after all that touches where the cubes are has acted.
   State land(State state) {
-    landing.find_touching(stride, state, book);
+    find_touching(state);
     stride.before = state;
     landing.strike(state, book);
     return state;

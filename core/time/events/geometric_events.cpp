@@ -73,7 +73,7 @@ void GeometricEvents::watch_planes(const ContactSet& closed) {
     for (int i = 0; i < system_->cubes; ++i) {
       if (view_.is_still(i)) continue;
       for (int k = 0; k < system_->body(i).corner_count(); ++k) {
-        if (!std::ranges::binary_search(on_planes, ContactId{i, p, k, 0}))
+        if (!std::ranges::binary_search(on_planes, contact_id(i, p, k, 0)))
           functions_.push_back({Kind::gap, i, p, k, plane_side});
       }
     }

@@ -19,12 +19,13 @@ constexpr double bounce_steps = 1.0;
 Landing::Landing(Workspace& work, OverlapRemoval& removal, RestingIslands& resting)
     : system_(work.system), work_(&work), removal_(&removal), resting_(&resting) {}
 
-void Landing::find_touching(Stride& stride, const State& state, Bookkeeping& book) {
+void Landing::find_touching(Stride& stride, Bookkeeping& book) {
   stride_ = &stride;
-  work_->finder.find(*system_, state, contacts_, touching_share);
+  contacts_ = removal_->touching();
   note_overlap(work_->finder.deepest().depth, work_->finder.deepest().scale, book.audit);
   std::erase_if(contacts_, [&](const Contact& c) { return is_covered(*system_, c); });
   std::vector<ContactId> found;
+  found.reserve(contacts_.size());
   for (const Contact& c : contacts_)
     found.push_back(c.id());
   std::ranges::sort(found);

@@ -15,7 +15,7 @@ class Landing {
   /// `removal` knows the start of the step.
   Landing(Workspace& work, OverlapRemoval& removal, RestingIslands& resting);
   /// Contacts at the end of the way: what touches there, and what was pressed and is still near.
-  void find_touching(Stride& stride, const State& state, Bookkeeping& book);
+  void find_touching(Stride& stride, Bookkeeping& book);
   [[nodiscard]] const std::vector<Contact>& touching() const { return contacts_; }
   /// Velocities of `state` after the second half, whose impulses are put into the stride.
   void strike(State& state, Bookkeeping& book);

@@ -28,18 +28,18 @@ void NearContacts::begin(const State& state, double h, double gravity) {
 }
 
 void NearContacts::find_towards(const State& end, double reach, std::vector<Contact>& contacts) {
-  find(end, reach, start_, contacts);
+  pose_boxes(*system_, end, end_);
+  find(reach, start_, contacts);
 }
 
-void NearContacts::find_at(const State& end, double reach, std::vector<Contact>& contacts) {
-  find(end, reach, end_, contacts);
+void NearContacts::find_at(std::span<const Box> end, double reach, std::vector<Contact>& contacts) {
+  end_.assign(end.begin(), end.end());
+  find(reach, end_, contacts);
 }
 
-void NearContacts::find(const State& end,
-                        double reach,
+void NearContacts::find(double reach,
                         const std::vector<Box>& measured,
                         std::vector<Contact>& contacts) {
-  pose_boxes(*system_, end, end_);
   contacts.clear();
   const auto bounds_of = [&](int i) {
     return swept_bounds(start_[i], end_[i], reach * system_->body(i).smaller_side());

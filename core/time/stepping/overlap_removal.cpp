@@ -55,40 +55,39 @@ Restricted OverlapRemoval::apart(Island island) const {
     return system_->is_cube(body) ? 1.0 / system_->body(body).mass : 0.0;
   };
   const auto ease = [&](const Contact& c) { return ease_of(c.on) + ease_of(c.from); };
-  const auto overlap = [&](const Contact& c) {
-    return std::max(0.0, -c.gap / contact_scale(*system_, c));
-  };
   double deepest = 0.0;
   double push = 0.0;
+  std::vector<double> overlap;
   for (const Contact& c : island.contacts) {
-    deepest = std::max(deepest, overlap(c));
-    push = std::max(push, overlap(c) / ease(c));
+    overlap.push_back(std::max(0.0, -c.gap / contact_scale(*system_, c)));
+    deepest = std::max(deepest, overlap.back());
+    push = std::max(push, overlap.back() / ease(c));
   }
   const bool rubbing = rubs(*system_, island);
   Restricted part{std::move(island), {}};
-  part.use.assign(part.island.contacts.size(), SideUse::inequality);
-  for (const Contact& c : part.island.contacts) {
-    const double move = rubbing ? 2.0 * overlap(c) : std::min(deepest, 0.5 * push * ease(c));
+  part.use.assign(overlap.size(), SideUse::inequality);
+  for (std::size_t k = 0; k < overlap.size(); ++k) {
+    const Contact& c = part.island.contacts[k];
+    const double move = rubbing ? 2.0 * overlap[k] : std::min(deepest, 0.5 * push * ease(c));
     const double open = margin(c, move);
-    part.margins.push_back(rubbing && overlap(c) <= closed_gap ? std::min(open, c.gap) : open);
+    part.margins.push_back(rubbing && overlap[k] <= closed_gap ? std::min(open, c.gap) : open);
   }
   return part;
 }
 
-double OverlapRemoval::measure(const State& state) {
+double OverlapRemoval::measure(const State& state, double tolerance) {
   const ContactFinder::Overlap& deepest = work_->finder.deepest();
-  work_->finder.find(*system_, state, overlapping_, 0.0);
+  work_->finder.find(*system_, state, found_, tolerance);
   return deepest.depth / deepest.scale;
 }
 
 /// Islands near to what overlaps, by the last measurement.
 std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  near_.find_at(state, std::clamp(pushed_times * left_, nearest_share, near_share), contacts);
-  find_islands(*system_, contacts, islands);
+  near_.find_at(work_->finder.boxes(), std::clamp(pushed_times * left_, nearest_share, near_share),
+                contacts_);
+  find_islands(*system_, contacts_, islands_);
   std::vector<Restricted> parts;
-  for (Island& island : islands) {
+  for (Island& island : islands_) {
     if (!overlaps(*system_, island, overlap_share) && keeps_lengths(state, island.rods)) continue;
     parts.push_back(apart(std::move(island)));
     double missed = left_ * scales_.length;
@@ -111,7 +110,7 @@ bool OverlapRemoval::keeps_lengths(const State& state) const {
 
 std::vector<Contact> OverlapRemoval::clean_up(State& state, Bookkeeping& book) {
   const auto find = [&](const Projection& so_far) {
-    left_ = measure(so_far.state);
+    left_ = measure(so_far.state, touching_share);
     const bool fits = left_ <= overlap_share && keeps_lengths(so_far.state);
     return fits ? std::vector<Restricted>{} : pushed_apart(so_far.state);
   };
@@ -119,14 +118,14 @@ std::vector<Contact> OverlapRemoval::clean_up(State& state, Bookkeeping& book) {
   Projection clean = project_places(*system_, std::move(state), policy, find, work_->dynamics);
   keep_cost(clean.solves, book);
   state = std::move(clean.state);
-  if (clean.rounds == most_clean_ups) left_ = measure(state);
+  if (clean.rounds == most_clean_ups || clean.too_far) left_ = measure(state, touching_share);
   return std::move(clean.pushing);
 }
 
 /// Per cube: whether it overlaps another body, by the last measurement.
 std::vector<char> OverlapRemoval::overlapping_cubes() const {
   std::vector<char> overlaps(system_->cubes, 0);
-  for (const Contact& c : overlapping_) {
+  for (const Contact& c : found_) {
     for (const int body : {c.on, c.from}) {
       if (system_->is_cube(body)) overlaps[body] = 1;
     }
@@ -135,18 +134,14 @@ std::vector<char> OverlapRemoval::overlapping_cubes() const {
 }
 
 void OverlapRemoval::retreat(State& state) {
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  for (int k = 1; k <= most_halvings; ++k) {
-    left_ = measure(state);
-    if (left_ <= overlap_share) return;
+  for (int k = 1; k <= most_halvings && measure(state, 0.0) > overlap_share; ++k) {
     const std::vector<char> overlaps = overlapping_cubes();
-    near_.find_at(state, near_share, contacts);
+    near_.find_at(work_->finder.boxes(), near_share, contacts_);
     // Who came farther than its speed foretold meets pairs that nobody expected.
-    contacts.insert(contacts.end(), overlapping_.begin(), overlapping_.end());
-    find_islands(*system_, contacts, islands);
+    contacts_.insert(contacts_.end(), found_.begin(), found_.end());
+    find_islands(*system_, contacts_, islands_);
     const double share = k < most_halvings ? 0.5 : 0.0;
-    for (const Island& island : islands) {
+    for (const Island& island : islands_) {
       const bool stops =
           std::ranges::any_of(island.cubes, [&](int cube) { return overlaps[cube] != 0; });
       if (!stops) continue;
@@ -157,7 +152,7 @@ void OverlapRemoval::retreat(State& state) {
       }
     }
   }
-  left_ = measure(state);
+  left_ = measure(state, touching_share);
 }
 
 }  // namespace wuerfel

@@ -8,6 +8,7 @@
 #include "core/model/scales.h"
 #include "core/time/bookkeeping.h"
 #include "core/time/stepping/near_contacts.h"
+#include "core/time/stepping/stride.h"
 #include "core/time/workspace.h"
 
 namespace wuerfel {
@@ -43,12 +44,15 @@ class OverlapRemoval {
   /// overlaps.
   void retreat(State& state);
 
+  /// Finds contacts with gaps up to `tolerance` (a share of the smaller side); the deepest overlap.
+  double measure(const State& state, double tolerance);
   /// Deepest overlap where the last `clean_up` or `retreat` ended, as a share of the smaller side of
   /// the pair.
   [[nodiscard]] double left() const { return left_; }
+  /// What touches there, which depends on velocities where corners meet corners.
+  [[nodiscard]] const std::vector<Contact>& touching() const { return found_; }
 
  private:
-  double measure(const State& state);
   [[nodiscard]] double margin(const Contact& c, double move) const;
   [[nodiscard]] std::vector<Restricted> pushed_apart(const State& state);
   [[nodiscard]] bool keeps_lengths(const State& state, std::span<const int> rods) const;
@@ -62,7 +66,9 @@ class OverlapRemoval {
   double h_ = 0.0;     ///< s, of the step
   double left_ = 0.0;  ///< of the smaller side
   State start_;
-  std::vector<Contact> overlapping_;  ///< at the last measurement
+  std::vector<Contact> found_;  ///< at the last measurement
+  std::vector<Contact> contacts_;
+  std::vector<Island> islands_;
 };
 
 }  // namespace wuerfel

@@ -37,13 +37,11 @@ State Placement::find(Stride& stride, Bookkeeping& book) {
     state[i].position += stride_->h * half[i].velocity;
     state[i].angle += stride_->h * half[i].spin;
   }
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  removal_->near().find_towards(state, near_share, contacts);
-  find_islands(*system_, contacts, islands);
-  pose_boxes(*system_, stride_->start, way_.boxes);
+  removal_->near().find_towards(state, near_share, contacts_);
+  find_islands(*system_, contacts_, islands_);
+  way_.boxes = removal_->near().start_boxes();
   way_.moved = stride_->start;
-  for (const Island& island : islands)
+  for (const Island& island : islands_)
     place_island(island, state, book);
   return state;
 }

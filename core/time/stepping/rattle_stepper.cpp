@@ -58,6 +58,7 @@ Step RattleStepper::step(const State& state, double t, double h) {
   work_.friction.begin_step(h);
   step.state = placement_.find(stride_, step.book);
   flown_ = step.state;
+  fly_second_half(step.state);
   cleaned_ = removal_.clean_up(step.state, step.book);
   add_blows(*system_, removal_.near().start_boxes(), cleaned_, stride_);
   for (const Contact& c : cleaned_)
@@ -75,21 +76,26 @@ Step RattleStepper::stop_short(Step tried, double t) {
     blow.taken_back = false;
   }
   std::ranges::fill(stride_.rods_second, 0.0);
+  fly_second_half(step.state);
   removal_.retreat(step.state);
   arrive(step, t);
   return step;
 }
 
+/// Velocities at the end of the way, before anything lands.
+void RattleStepper::fly_second_half(State& state) const {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state[i].velocity = stride_.half[i].velocity + 0.5 * stride_.h * system_->gravity;
+    state[i].spin = stride_.half[i].spin;
+  }
+}
+
 /// Velocities and books at the end of the way.
 void RattleStepper::arrive(Step& step, double t) {
-  for (std::size_t i = 0; i < step.state.size(); ++i) {
-    step.state[i].velocity = stride_.half[i].velocity + 0.5 * stride_.h * system_->gravity;
-    step.state[i].spin = stride_.half[i].spin;
-  }
   step.overlap = removal_.left();
   if (!system_->rods.empty())
     step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
-  landing_.find_touching(stride_, step.state, step.book);
+  landing_.find_touching(stride_, step.book);
   State flown = step.state;
   keep_turning(*system_, cleaned_, flown_, step.state);
   for (std::size_t i = 0; i < flown.size(); ++i) {

@@ -61,6 +61,7 @@ class RattleStepper {
   void close_gaps(State& state);
 
  private:
+  void fly_second_half(State& state) const;
   void arrive(Step& step, double t);
   [[nodiscard]] Push pushed() const;
   static void note_settled(const Push& change, const StepRecord& record, Bookkeeping& book);

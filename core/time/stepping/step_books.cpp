@@ -60,40 +60,35 @@ int a_cube_of(const System& system, const Contact& c) {
   return system.is_cube(c.on) ? c.on : c.from;
 }
 
-/// Per cube the number of its component, -1 where it is in none.
-std::vector<int> component_of(const std::vector<StepComponent>& components, std::size_t cubes) {
-  std::vector<int> number(cubes, -1);
-  for (int k = 0; k < static_cast<int>(components.size()); ++k) {
-    for (const int cube : components[k].cubes)
-      number[cube] = k;
+/// Per cube the number of its component, -1 where it is in none: cubes that pushed one another or were moved apart.
+std::vector<int> component_of(const System& system, const Stride& stride) {
+  std::vector<IndexPair> acting;
+  for (const auto& [id, blow] : stride.blows) {
+    if (blow.acts() || blow.cleaned) acting.emplace_back(blow.end.on, blow.end.from);
   }
-  return number;
+  return number_islands(system, acting);
 }
 
-/// Cubes that pushed one another or were moved apart, and the fixed bodies that keep them.
-std::vector<StepComponent> components_of(const System& system, const Stride& stride) {
-  std::vector<Contact> acting;
-  for (const auto& [id, blow] : stride.blows) {
-    if (blow.acts() || blow.cleaned) acting.push_back(blow.end);
+/// The components, and the fixed bodies that keep them.
+std::vector<StepComponent> components_of(const System& system,
+                                         const Stride& stride,
+                                         const std::vector<int>& component) {
+  std::vector<StepComponent> components(component.empty() ? 0 : std::ranges::max(component) + 1);
+  for (int cube = 0; cube < system.cubes; ++cube)
+    if (component[cube] >= 0) components[component[cube]].cubes.push_back(cube);
+  // A rod to a fixed place keeps nothing of the motion as it is.
+  for (const Rod& rod : system.rods) {
+    if (is_held(rod))
+      components[component[std::max(rod.i.body, rod.j.body)]].fixed_normals = {Vec2::UnitX(),
+                                                                               Vec2::UnitY()};
   }
-  std::vector<Island> islands;
-  find_islands(system, acting, islands);
-  std::vector<StepComponent> components;
-  for (Island& island : islands) {
-    const bool held =
-        std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
-    components.push_back({std::move(island.cubes), {}, {}});
-    // A rod to a fixed place keeps nothing of the motion as it is.
-    if (held) components.back().fixed_normals = {Vec2::UnitX(), Vec2::UnitY()};
-  }
-  const std::vector<int> component = component_of(components, stride.start.size());
   for (const auto& [id, blow] : stride.blows) {
     const Contact& c = blow.end;
     if (system.is_cube(c.on) && system.is_cube(c.from)) continue;
     const int k = component[a_cube_of(system, c)];
-    if (k < 0 || !(blow.acts() || blow.cleaned || is_near(system, c, touching_share))) continue;
-    std::vector<Vec2>& normals = components[k].fixed_normals;
-    if (normals.size() < 2) normals.push_back(c.normal);
+    if (k < 0 || components[k].fixed_normals.size() >= 2) continue;
+    if (blow.acts() || blow.cleaned || is_near(system, c, touching_share))
+      components[k].fixed_normals.push_back(c.normal);
   }
   return components;
 }
@@ -116,39 +111,36 @@ double work_of(const System& system, const Stride& stride, int number, const Sta
   return stride.rods_first[number] * first + stride.rods_second[number] * second;
 }
 
-/// Whether the contact is closed at the start and stays so: its work is the sway of the method. What opens at the start
-/// and acts all the same lands.
-bool lasts(const System& system, const Stride& stride, const Blow& blow) {
-  const double closing = closing_speed(system, stride, blow.start);
-  return blow.start.gap <= touching_share * contact_scale(system, blow.start)
-         && closing <= impact_steps && closing >= -opening_steps;
-}
-
-/// The share of the step at which a gap closes at the speed of the start; 1 where it closes more slowly
-/// than an impact.
-double struck_at(const System& system, const Stride& stride, const Blow& blow) {
-  const double speed = closing_speed(system, stride, blow.start);
-  if (speed <= impact_steps) return 1.0;
+/// The share of the step at which a gap closes that does so at `closing` g h at the start; 1 where that is slower than an
+/// impact.
+double struck_at(const Stride& stride, const Blow& blow, double closing) {
+  if (closing <= impact_steps) return 1.0;
   const double fall = stride.scales.gravity * stride.h * stride.h;
-  return std::clamp(blow.start.gap / (speed * fall), 0.0, 1.0);
+  return std::clamp(blow.start.gap / (closing * fall), 0.0, 1.0);
 }
 
 /// When in a step a contact acts, in shares of the step.
 struct Timing {
   double begin = 0.0;
   double end = 1.0;
+  bool struck = false;  ///< it closes as fast as an impact
+  /// It is closed at the start and stays so: its work is the sway of the method. What opens at the start and acts all the
+  /// same lands.
+  bool lasts = false;
 };
 
 Timing timing_of(const System& system, const Stride& stride, const Blow& blow, const State& end) {
-  if (closing_speed(system, stride, blow.start) > impact_steps) {
-    const double share = struck_at(system, stride, blow);
-    return {share, share};
+  const double closing = closing_speed(system, stride, blow.start);
+  if (closing > impact_steps) {
+    const double share = struck_at(stride, blow, closing);
+    return {share, share, true, false};
   }
-  if (lasts(system, stride, blow)) return {};
+  if (blow.start.gap <= touching_share * contact_scale(system, blow.start)
+      && closing >= -opening_steps)
+    return {0.0, 1.0, false, true};
   // It lands: s^2 / 2 + c s = gap, in units of g h and g h^2.
-  const double c = closing_speed(system, stride, blow.start);
   const double gap = std::max(0.0, blow.start.gap / (stride.scales.gravity * stride.h * stride.h));
-  const double share = std::clamp(std::sqrt(c * c + 2.0 * gap) - c, 0.0, 1.0);
+  const double share = std::clamp(std::sqrt(closing * closing + 2.0 * gap) - closing, 0.0, 1.0);
   const double opening = relative_velocity(system, end, blow.end).dot(blow.end.normal)
                          / (stride.scales.gravity * stride.h);
   return {share, opening > opening_steps ? share : 1.0};
@@ -199,18 +191,16 @@ void take_blow(const System& system,
                const Timing& timing,
                Balance& balance,
                std::vector<StepLoss>& losses) {
-  const bool struck = closing_speed(system, stride, blow.start) > impact_steps;
-  const bool stays = lasts(system, stride, blow);
   const Work first = first_work(system, stride, blow);
   const Work second = second_work(system, stride, blow, end);
   const double loss = -first.normal - second.normal;
   const double rubbed = -first.side - second.side;
   balance.friction += rubbed;
   if (rubbed > 0.0) add_loss({timing.begin, timing.end, rubbed, true}, balance.frictions);
-  (stays ? balance.lasting : balance.closing) += loss;
-  if (!stays && loss > 0.0) losses.push_back({timing.begin, timing.end, loss});
-  if (stays && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 1.0, 0.0});
-  if (struck) balance.last_struck = std::max(balance.last_struck, timing.end);
+  (timing.lasts ? balance.lasting : balance.closing) += loss;
+  if (!timing.lasts && loss > 0.0) losses.push_back({timing.begin, timing.end, loss});
+  if (timing.lasts && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 1.0, 0.0});
+  if (timing.struck) balance.last_struck = std::max(balance.last_struck, timing.end);
 }
 
 /// The losses of a component, from what its contacts took.
@@ -248,8 +238,8 @@ double sum_of(const std::vector<StepLoss>& losses) {
 }
 
 StepRecord record_of(const System& system, const Stride& stride, const State& end) {
-  StepRecord record{{}, components_of(system, stride)};
-  const std::vector<int> component = component_of(record.components, stride.start.size());
+  const std::vector<int> component = component_of(system, stride);
+  StepRecord record{{}, components_of(system, stride, component)};
   std::vector<Balance> balances(record.components.size());
   for (const auto& [id, blow] : stride.blows) {
     if (!blow.acts()) continue;
@@ -267,9 +257,11 @@ StepRecord record_of(const System& system, const Stride& stride, const State& en
 std::vector<Event> impacts_of(const System& system, const Stride& stride, double t) {
   std::vector<Event> events;
   for (const auto& [id, blow] : stride.blows) {
-    if (!blow.acts() || closing_speed(system, stride, blow.start) <= impact_steps) continue;
+    if (!blow.acts()) continue;
+    const double closing = closing_speed(system, stride, blow.start);
+    if (closing <= impact_steps) continue;
     const Contact& c = blow.end;
-    events.push_back({t + struck_at(system, stride, blow) * stride.h, EventKind::impact,
+    events.push_back({t + struck_at(stride, blow, closing) * stride.h, EventKind::impact,
                       system.body(c.on).name, system.body(c.from).name, c.point,
                       (blow.first + blow.second).dot(c.normal)});
   }

@@ -77,10 +77,10 @@ TEST(Landing, WhatWasPressedTakesPartWhileItIsNear) {
   ASSERT_EQ(s.stride.blows.size(), 2U);
   State lifted = s.m.state;
   lifted[0].position.y() += 0.9e-3;
-  s.landing.find_touching(s.stride, lifted, s.book);
+  s.find_touching(lifted);
   EXPECT_EQ(s.landing.touching().size(), 2U);
   lifted[0].position.y() += 0.2e-3;
-  s.landing.find_touching(s.stride, lifted, s.book);
+  s.find_touching(lifted);
   EXPECT_TRUE(s.landing.touching().empty()) << "1e-3 of the side is near";
 }
 

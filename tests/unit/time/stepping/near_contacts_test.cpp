@@ -19,7 +19,8 @@ TEST(NearContacts, PairsAreKeptApartByTheSidesThatFaceEachOther) {
   ASSERT_EQ(contacts.size(), 2U);
   for (const Contact& c : contacts)
     EXPECT_NEAR(c.gap, 0.005, 1e-15);
-  near.find_at(end, 1e-2, contacts);
+  const std::vector<Box> boxes = near.end_boxes();
+  near.find_at(boxes, 1e-2, contacts);
   ASSERT_EQ(contacts.size(), 2U);
   for (const Contact& c : contacts)
     EXPECT_NEAR(c.gap, -0.003, 1e-15);
