@@ -9,7 +9,7 @@ namespace {
 
 constexpr int leaf_size = 4;
 /// Margin of the larger bounds, as a share of the smaller extent.
-constexpr double margin_share = 0.05;
+constexpr double margin_share = 0.2;
 
 const BoundingBox& at(std::span<const BoundingBox> bounds, int i) { return bounds[i]; }
 

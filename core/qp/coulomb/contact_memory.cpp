@@ -1,6 +1,7 @@
 #include "core/qp/coulomb/contact_memory.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace wuerfel {
@@ -46,31 +47,40 @@ bool ContactMemory::recall(const ContactForm& form,
   return true;
 }
 
-/// Modes of contacts that were not in the program of these keys, but not long ago.
-std::vector<ContactMemory::Unit> ContactMemory::others(std::span<const std::uint64_t> keys) const {
-  std::vector<std::uint64_t> present(keys.begin(), keys.end());
+/// Into `next_`, by key: contacts of the program, and what is remembered of those that were not in it, but not long ago.
+void ContactMemory::merge(std::span<const std::uint64_t> keys,
+                          const std::vector<ContactMode>& modes,
+                          const std::vector<Pair>& l) {
+  std::vector<std::pair<std::uint64_t, int>> present;
+  present.reserve(keys.size());
+  for (const std::uint64_t key : keys)
+    present.emplace_back(key, static_cast<int>(present.size()));
   std::ranges::sort(present);
-  std::vector<Unit> others;
-  for (int i = 0; i < keyed_; ++i) {
-    const Unit& unit = units_[i];
-    if (unit.age < oldest && !std::ranges::binary_search(present, unit.key))
-      others.push_back({unit.key, unit.mode, {}, unit.age + 1});
+  auto old = units_.begin();
+  const auto last = old + keyed_;
+  const auto keep_before = [&](std::uint64_t key) {
+    for (; old != last && old->key < key; ++old)
+      if (old->age < oldest) next_.push_back({old->key, old->mode, {}, old->age + 1});
+  };
+  for (const auto& [key, i] : present) {
+    keep_before(key);
+    if (old != last && old->key == key) ++old;
+    next_.push_back({key, modes[i], l[i]});
   }
-  return others;
+  keep_before(std::numeric_limits<std::uint64_t>::max());
 }
 
 void ContactMemory::remember(std::span<const std::uint64_t> keys,
                              double force_unit,
                              const std::vector<ContactMode>& modes,
                              const std::vector<Pair>& l) {
-  std::vector<Unit> units;
-  if (!keys.empty()) units = others(keys);
-  keyed_ = static_cast<int>(units.size() + keys.size());
-  for (std::size_t i = 0; i < modes.size(); ++i)
-    units.push_back({i < keys.size() ? keys[i] : 0, modes[i], l[i]});
-  units_ = std::move(units);
+  next_.clear();
+  if (!keys.empty()) merge(keys, modes, l);
+  keyed_ = static_cast<int>(next_.size());
+  for (std::size_t i = keys.size(); i < modes.size(); ++i)
+    next_.push_back({0, modes[i], l[i]});
+  units_.swap(next_);
   force_unit_ = force_unit;
-  std::ranges::sort(units_.begin(), units_.begin() + keyed_, {}, &Unit::key);
 }
 
 }  // namespace wuerfel

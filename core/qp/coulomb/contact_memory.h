@@ -23,7 +23,10 @@ class ContactMemory {
                 double force_unit,
                 const std::vector<ContactMode>& modes,
                 const std::vector<Pair>& l);
-  void forget() { units_.clear(); }
+  void forget() {
+    units_.clear();
+    keyed_ = 0;
+  }
 
  private:
   struct Unit {
@@ -33,9 +36,12 @@ class ContactMemory {
     int age = 0;  ///< programs since it was there
   };
   [[nodiscard]] const Unit* find(int unit, std::span<const std::uint64_t> keys) const;
-  [[nodiscard]] std::vector<Unit> others(std::span<const std::uint64_t> keys) const;
+  void merge(std::span<const std::uint64_t> keys,
+             const std::vector<ContactMode>& modes,
+             const std::vector<Pair>& l);
 
   std::vector<Unit> units_;  ///< by key, those without one behind
+  std::vector<Unit> next_;   ///< scratch
   int keyed_ = 0;
   double force_unit_ = 0.0;  ///< of the last program
 };
