@@ -90,6 +90,15 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
   return corner_on_side(contact.on, b, contact.corner, contact.from, a, contact.side);
 }
 
+double gap_at_poses(const System& system, std::span<const Box> boxes, const Contact& c) {
+  const Box& b = boxes[c.on];
+  const Body& from = system.body(c.from);
+  if (from.kind == BodyKind::plane)
+    return side_gap(from.normal, (b.center - from.point) + b.arm[c.corner], 0.0);
+  const Box& a = boxes[c.from];
+  return side_gap(a.normal(c.side), (b.center - a.center) + b.arm[c.corner], a.reach(c.side));
+}
+
 void ContactFinder::find(const System& system,
                          const State& state,
                          std::vector<Contact>& contacts,

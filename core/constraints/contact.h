@@ -70,8 +70,9 @@ ContactMotion contact_motion(const System& system, const State& state, const Con
 /// Length by which a contact's tolerances are measured: the smaller side of the two bodies, m.
 double contact_scale(const System& system, const Contact& contact);
 
-/// The same corner and side at other poses.
+/// The same corner and side at other poses, and the gap alone.
 Contact at_poses(const System& system, std::span<const Box> boxes, const Contact& contact);
+double gap_at_poses(const System& system, std::span<const Box> boxes, const Contact& contact);
 
 /// Finds contacts. Keeps its memory, nothing else, from call to call.
 class ContactFinder {

@@ -119,8 +119,9 @@ Material System::surface(int i, int j) const {
     const auto named = pairs.find(std::minmax(a.number, b.number));
     if (named != pairs.end()) return named->second;
   }
-  return {std::sqrt(a.material.friction * b.material.friction),
-          std::sqrt(a.material.restitution * b.material.restitution)};
+  const auto mean = [](double x, double y) { return x == y ? x : std::sqrt(x * y); };
+  return {mean(a.material.friction, b.material.friction),
+          mean(a.material.restitution, b.material.restitution)};
 }
 
 bool System::may_touch(int i, int j) const {

@@ -160,6 +160,9 @@ std::vector<std::string> Simulation::moved() const {
   return names;
 }
 
-bool Simulation::at_rest() const { return impl_->look(Detail::accelerations).at_rest; }
+bool Simulation::at_rest() const {
+  const bool still = std::ranges::all_of(states(), [](const BodyState& s) { return is_still(s); });
+  return still && impl_->look(Detail::accelerations).at_rest;
+}
 
 }  // namespace wuerfel

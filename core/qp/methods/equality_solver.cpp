@@ -54,6 +54,14 @@ void add_push(const QuadraticProgram& p, int row, double factor, double* x) {
   });
 }
 
+/// So many lists, which keep their memory.
+template <typename T>
+void empty(int count, std::vector<std::vector<T>>& lists) {
+  lists.resize(count);
+  for (std::vector<T>& list : lists)
+    list.clear();
+}
+
 }  // namespace
 
 bool EqualitySolver::fits(const QuadraticProgram& p, const std::vector<char>* tight) const {
@@ -90,18 +98,14 @@ void EqualitySolver::fill_triangle() {
 
 void EqualitySolver::find_envelope() {
   const int rows = static_cast<int>(row_.size());
-  std::vector<std::vector<int>> rows_of_block(
-      entry_block_.empty() ? 0 : std::ranges::max(entry_block_) + 1);
+  const int blocks = entry_block_.empty() ? 0 : std::ranges::max(entry_block_) + 1;
+  empty(blocks, rows_of_block_);
+  empty(blocks, entries_of_block_);
   for (int i = 0; i < rows; ++i) {
     for (int e = row_start_[row_[i]]; e < row_start_[row_[i] + 1]; ++e)
-      rows_of_block[entry_block_[e]].push_back(i);
+      rows_of_block_[entry_block_[e]].push_back(i);
   }
-  find_row_order({row_, row_start_, entry_block_, rows_of_block}, order_);
-  /// An entry on a block, of the row at place i of the order.
-  struct Entry {
-    int i, entry;
-  };
-  std::vector<std::vector<Entry>> entries_of_block(rows_of_block.size());
+  find_row_order({row_, row_start_, entry_block_, rows_of_block_}, order_);
   couplings_.clear();
   first_.resize(rows);
   start_.resize(rows);
@@ -109,14 +113,14 @@ void EqualitySolver::find_envelope() {
   for (int i = 0; i < rows; ++i) {
     first_[i] = i;
     for (int e = row_start_[order_[i]]; e < row_start_[order_[i] + 1]; ++e) {
-      auto& others = entries_of_block[entry_block_[e]];
+      auto& others = entries_of_block_[entry_block_[e]];
       others.push_back({i, e});
       first_[i] = std::min(first_[i], others.front().i);
     }
     start_[i] = size - first_[i];
     size += i - first_[i] + 1;
     for (int e = row_start_[order_[i]]; e < row_start_[order_[i] + 1]; ++e) {
-      for (const Entry& other : entries_of_block[entry_block_[e]])
+      for (const Entry& other : entries_of_block_[entry_block_[e]])
         couplings_.push_back({place(i, other.i), entry_block_[e], e, other.entry});
     }
   }

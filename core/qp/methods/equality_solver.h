@@ -50,6 +50,11 @@ class EqualitySolver {
     int entry_i = 0;
     int entry_j = 0;
   };
+  /// An entry on a block, of the row at place i of the order.
+  struct Entry {
+    int i = 0;
+    int entry = 0;
+  };
   [[nodiscard]] bool fits(const QuadraticProgram& program, const std::vector<char>* tight) const;
   void add_couplings(int i, int j);
   void fill_triangle();
@@ -70,8 +75,10 @@ class EqualitySolver {
   std::vector<int> row_start_;  ///< of the program that the envelope belongs to
   std::vector<int> entry_block_;
   std::vector<char> tight_;
-  std::vector<int> row_;    ///< tight rows of the program
-  std::vector<int> order_;  ///< these rows in the order of elimination
+  std::vector<int> row_;                         ///< tight rows of the program
+  std::vector<int> order_;                       ///< these rows in the order of elimination
+  std::vector<std::vector<int>> rows_of_block_;  ///< by number in row_
+  std::vector<std::vector<Entry>> entries_of_block_;
   std::vector<Coupling> couplings_;
   std::vector<int> first_;             ///< first column within the envelope of the row at place i
   std::vector<std::ptrdiff_t> start_;  ///< where column 0 of that row is, or would be, in factor_

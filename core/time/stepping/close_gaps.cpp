@@ -32,7 +32,7 @@ bool fits(const System& system,
   finder.find(system, state, overlapping, 0.0);
   if (finder.deepest().depth > closed_gap * finder.deepest().scale) return false;
   return std::ranges::all_of(contacts, [&](const Contact& c) {
-    return std::abs(at_poses(system, finder.boxes(), c).gap)
+    return std::abs(gap_at_poses(system, finder.boxes(), c))
            <= closed_gap * contact_scale(system, c);
   });
 }

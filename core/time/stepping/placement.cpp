@@ -55,10 +55,10 @@ IslandSolution Placement::apart(const Island& island,
     // Gaps are neither opened nor closed against friction where bodies touch: staying put is to be possible, or there
     // may be no solution (a cube in a corner that rubs).
     for (std::size_t k = 0; k < part.margins.size(); ++k) {
-      const Contact start =
-          at_poses(*system_, removal_->near().start_boxes(), part.island.contacts[k]);
-      const bool touches = start.gap < touching_tolerance * contact_scale(*system_, start);
-      part.margins[k] = touches ? start.gap : std::min(part.margins[k], start.gap);
+      const Contact& c = part.island.contacts[k];
+      const double gap = gap_at_poses(*system_, removal_->near().start_boxes(), c);
+      const bool touches = gap < touching_tolerance * contact_scale(*system_, c);
+      part.margins[k] = touches ? gap : std::min(part.margins[k], gap);
     }
     IslandSolution solution =
         work_->friction.placement(stride_->start, with_margins(part), targets);
@@ -125,7 +125,7 @@ void Placement::place_island(const Island& island, State& state, Bookkeeping& bo
   // Where free flight touches nothing and no rod holds there is nothing to solve.
   const bool free =
       island.rods.empty() && std::ranges::none_of(island.contacts, [&](const Contact& c) {
-        return at_poses(*system_, removal_->near().end_boxes(), c).gap < 0.0;
+        return gap_at_poses(*system_, removal_->near().end_boxes(), c) < 0.0;
       });
   if (free) {
     ++book.cost.skipped_certificate;
