@@ -12,8 +12,9 @@ constexpr long most_events_again = 5;  ///< where stepping was needed not long a
 constexpr long fewest_events = 3;
 /// An event costs as much as the group is large: large groups are given fewer of them.
 constexpr long most_events_and_cubes = 300;
-/// With `--integrator event`: beyond this the motion would not get on.
-constexpr long most_events_ever = 1000;
+/// With `--integrator event`: beyond this the motion would not get on. A window, after which the cubes may be grouped anew and
+/// are counted from none, is not over before.
+constexpr long most_events_ever = 500;
 constexpr int most_patience = 32;
 
 }  // namespace

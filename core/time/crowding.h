@@ -10,7 +10,7 @@ inline constexpr double frames_per_time = 20.0;
 /// to stepping; it lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon.
 class Crowding {
  public:
-  /// `only_events`: only 1000 events in a frame are too many.
+  /// `only_events`: only 500 events in a frame are too many.
   Crowding(int cubes, bool only_events) : cubes_(cubes), only_events_(only_events) {}
 
   /// The count begins anew at t, with what was known of the cubes. `time` is L / V, s.

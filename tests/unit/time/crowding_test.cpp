@@ -32,9 +32,9 @@ TEST(Crowding, LargeGroupsAffordFewerEvents) {
   EXPECT_TRUE(crowding.crowds());
 }
 
-TEST(Crowding, OnlyAThousandAreTooManyWhereNobodySteps) {
+TEST(Crowding, OnlyFiveHundredAreTooManyWhereNobodySteps) {
   Crowding crowding = crowding_of(100, true);
-  crowding.count(0.5, 1000);
+  crowding.count(0.5, 500);
   EXPECT_FALSE(crowding.crowds());
   crowding.count(0.5, 1);
   EXPECT_TRUE(crowding.crowds());
