@@ -17,9 +17,7 @@ std::string text_of(Promise promise, const Audit& audit) {
           "of {:.2g}",
           audit.missed_solves, audit.max_kkt_residual);
     case Promise::events:
-      return fmt::format(
-          "{} times events could not be told apart, or wedged bodies had to stop short",
-          audit.unresolved);
+      return fmt::format("{} times wedged bodies had to stop short", audit.unresolved);
     case Promise::friction:
       return fmt::format(
           "Coulomb's law was missed in {} contact problems, the worst with a residual of {:.2g}",

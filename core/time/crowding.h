@@ -10,7 +10,7 @@ inline constexpr double frames_per_time = 20.0;
 /// to stepping; it lasts for 1, 2, 4 .. 32 frames, each time it is needed again soon.
 class Crowding {
  public:
-  /// `only_events`: only 1000 events in a frame are too many.
+  /// `only_events`: only 500 events in a frame are too many.
   Crowding(int cubes, bool only_events) : cubes_(cubes), only_events_(only_events) {}
 
   /// The count begins anew at t, with what was known of the cubes. `time` is L / V, s.
@@ -20,9 +20,10 @@ class Crowding {
   /// The first frame's end after t that is `frames` frames away.
   [[nodiscard]] double frames_after(double t, double frames) const;
 
-  void count(double t, long events);
-  /// Whether there are too many in this frame.
-  [[nodiscard]] bool crowds() const { return events_ > affordable(); }
+  /// What has happened until t: events, and steps of what touches.
+  void count(double t, long events, long steps);
+  /// Whether there are too many of either in this frame.
+  [[nodiscard]] bool crowds() const;
   /// Whether there are not too many in this frame nor in the one before.
   [[nodiscard]] bool calm() const;
 
@@ -39,6 +40,7 @@ class Crowding {
   double frame_ = 0.0;  ///< s
   long number_ = 0;     ///< of the frame in which events are counted
   long events_ = 0;
+  long steps_ = 0;
   long former_events_ = 0;  ///< of the frame before
   int patience_ = 1;
   double stepped_to_ = 0.0;  ///< s

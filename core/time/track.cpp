@@ -168,7 +168,8 @@ bool Track::leaves_overlap(const Audit& before) {
 /// Whether events crowd, or the cubes are wedged.
 void Track::consider_events() {
   if (events_.at_rest()) return;
-  crowding_.count(events_.clock(), events_.events() - last_events_);
+  const bool touches = !pieces_.back().closed.empty();
+  crowding_.count(events_.clock(), events_.events() - last_events_, touches ? 1 : 0);
   last_events_ = events_.events();
   if (events_.wedged() || crowding_.crowds()) hand_over(events_.state(), events_.clock());
 }
@@ -193,7 +194,7 @@ void Track::step(double limit) {
                      steps_->loaded(),
                      steps_->record()});
   clock_ = end;
-  crowding_.count(clock_, static_cast<long>(book_.events.size() - logged));
+  crowding_.count(clock_, static_cast<long>(book_.events.size() - logged), 0);
   if (clock_ >= until_) go_on_or_hand_back();
 }
 

@@ -5,7 +5,7 @@ import math
 from case import OVER_BUDGET, Case, Outcome
 from gallery import cube, gallery, scene
 from random_scenes import random_scene
-from rubbing import bounces, friction, momentum, random_rubbing, seams
+from rubbing import bounces, friction, momentum, random_events, random_rubbing, seams
 
 EPS = 2.0**-52
 GRAVITY = 9.81
@@ -240,7 +240,8 @@ def families(reference):
         Family("seams", "speed / (m/s)", powers(0, 3), powers(0, 6), seams),
         Family("momentum", "cubes in space", [4, 16], [4, 9, 16, 36, 64, 100], momentum),
         Family("random_rubbing", "scenes", list(range(60)), list(range(10000)), random_rubbing, collection=True,
-               known=("random_rubbing 2930", "random_rubbing 7379", "random_rubbing 7512", "random_rubbing 9733")),
+               known=("random_rubbing 2930", "random_rubbing 9733")),
+        Family("random_events", "scenes", [40, 61, 133, 256], list(range(1000)), random_events, collection=True),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle across a gap",)),
         Family("soak", "steps", [1e4], powers(4, 7), soak, patience=5),

@@ -96,3 +96,8 @@ def random_rubbing(seed):
     draw = random.Random(f"rubbing {int(seed)}")
     mu = draw.choice([0.1, 0.3, 0.6, 1.0, 10 ** draw.uniform(-4, 1)])
     return [Case(rubs(random_scene(int(seed)), mu, draw.choice([0, 0, 0, 0.3, 0.9])))]
+
+
+def random_events(seed):
+    """The same from event to event, without end at one instant in some valleys."""
+    return [Case(case.scene, ("--integrator", "event")) for case in random_rubbing(seed)]

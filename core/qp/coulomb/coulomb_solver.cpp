@@ -17,6 +17,7 @@ constexpr int interior_seeds = 8;
 constexpr int crossing_seeds = 3;  ///< that are tried across folds as well
 constexpr int unsure_seeds = 4;    ///< where no solution need exist
 constexpr int lemke_seeds = 3;
+constexpr int most_missed = 5;  ///< programs in a row, after which one interior point is tried
 /// How interior points of large programs, whose paths fold in many places at once, start and pass folds. Half of what one misses
 /// the others find; paths of pieces find next to nothing.
 struct InteriorTry {
@@ -86,10 +87,12 @@ struct CoulombSolver::Work {
             std::span<const std::uint64_t> keys,
             CoulombResult& result);
   bool insist(const FrictionProgram& friction, CoulombResult& result);
+  bool try_all(const FrictionProgram& friction, bool exists, CoulombResult& result);
 
   CoulombStages stages;
   ContactMemory memory;
   double force_unit = 0.0;  ///< of the program
+  int missed = 0;           ///< programs in a row that have a solution, which was not found
 };
 
 CoulombSolver::CoulombSolver(const CoulombSettings& settings)
@@ -99,6 +102,7 @@ CoulombSolver::~CoulombSolver() = default;
 void CoulombSolver::forget() {
   work_->memory.forget();
   work_->stages.forget();
+  work_->missed = 0;
 }
 
 void CoulombSolver::solve(const FrictionProgram& friction,
@@ -163,11 +167,22 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
   return insist(friction, result);
 }
 
-/// What is dear, and hardly ever needed beyond the first interior point. Where no solution need exist (restitution, of which
-/// less is asked then) what is dearest is left out.
+/// What is dear, and hardly ever needed beyond the first interior point, which has to do where nothing has helped for some time:
+/// of some mass ratios beside large coefficients of friction solutions have no more digits.
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
-  const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
   const bool exists = may_stand(friction);
+  const bool solved = missed < most_missed || !exists
+                          ? try_all(friction, exists, result)
+                          : stages.interior(friction, 0.0, 0, Folds::go_back, result);
+  if (exists) missed = solved ? 0 : missed + 1;
+  return solved;
+}
+
+/// Where no solution need exist (restitution, of which less is asked then) what is dearest is left out.
+bool CoulombSolver::Work::try_all(const FrictionProgram& friction,
+                                  bool exists,
+                                  CoulombResult& result) {
+  const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
   if (friction.contacts.size() > most_from_open) {
     const std::size_t tries = exists ? tries_of_many.size() : unsure_tries_of_many;
     return std::ranges::any_of(std::span(tries_of_many).first(tries),

@@ -17,11 +17,9 @@ namespace {
 
 /// Smooth phases are integrated to this share of the tolerance that the user asked for.
 constexpr double inner_share = 0.01;
-/// Events closer than this share of L / V are at one instant; so many of them in a row let time
-/// pass by force, by this share.
+/// Events closer than this share of L / V are at one instant; more of them in a row have no end.
 constexpr double instant_share = 1e-13;
 constexpr int most_instant_events = 60;
-constexpr double forced_time = 1e-9;
 /// Below this share of L / V an event is reached by accelerations; what they change by meanwhile is
 /// rounding.
 constexpr double shifted_share = 1e-8;
@@ -109,7 +107,8 @@ double EventMotion::overlap() {
 void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkeeping& book) {
   if (at_rest()) return rest_for_ever(pieces);
   const SmoothStep& step = phase_.step(limit - clock_);
-  const std::optional<FirstEvent> event = cut_at_event(step, book);
+  const std::optional<FirstEvent> event = first_event(step, book);
+  if (event) reach(*event);
   note_step(step, book);
   pieces.push_back(last_piece());
   clock_ += step.elapsed;
@@ -120,6 +119,8 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
     const State end = step.end;
     begin_phase(end, happen(end, clock_, ended_phase(), {}, work_), book);
     if (!series_.goes_on()) ++events_;
+    // Events without end at one instant: only positions know what happens next.
+    if (instant_events_ > most_instant_events) modes_.wedged = true;
   } else {
     phase_.go_on();
     geometry_.passed(state());
@@ -130,20 +131,6 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
 void EventMotion::rest_for_ever(std::deque<MotionPiece>& pieces) {
   pieces.push_back({MotionPiece::Kind::rest, clock_, 0.0, state(), {}, {}, {}});
   clock_ = std::numeric_limits<double>::infinity();
-}
-
-/// Cuts the step at the first event within it. Of events without end at one instant there is none: time is made to pass,
-/// and that is reported.
-std::optional<EventMotion::FirstEvent> EventMotion::cut_at_event(const SmoothStep& step,
-                                                                 Bookkeeping& book) {
-  if (instant_events_ > most_instant_events) {
-    phase_.cut(std::min(step.length, forced_time * phase_.scales().time));
-    ++book.audit.unresolved;
-    return std::nullopt;
-  }
-  const std::optional<FirstEvent> event = first_event(step, book);
-  if (event) reach(*event);
-  return event;
 }
 
 /// Books a step that ends where it ends.

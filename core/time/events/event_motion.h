@@ -48,7 +48,6 @@ class EventMotion {
   void begin_phase(const State& state, Instant now, Bookkeeping& book);
   void close(const State& state);
   void rest_for_ever(std::deque<MotionPiece>& pieces);
-  std::optional<FirstEvent> cut_at_event(const SmoothStep& step, Bookkeeping& book);
   void note_step(const SmoothStep& step, Bookkeeping& book);
   void note_momenta(const SmoothStep& step, Bookkeeping& book) const;
   std::optional<FirstEvent> first_event(const SmoothStep& step, Bookkeeping& book);

@@ -207,12 +207,20 @@ void StepLook::set_energy(const StepComponent& part,
     goal -= loss.by(share);
   }
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
-  const RigidMotion kept =
-      kept_motion(momentum_of(*system_, state, part.cubes), part.fixed_normals);
-  const double missing = scale_to_energy(*system_, part.cubes, kept, goal, most_scaled_up, state);
-  // Fixed bodies that rub take momentum along their sides, too.
-  if (missing < 0.0 && system_->rubs && !part.fixed_normals.empty())
-    scale_to_energy(*system_, part.cubes, RigidMotion{}, goal, 1.0, state);
+  std::vector<Vec2> normals = part.fixed_normals;
+  const auto scale = [&](const RigidMotion& kept) {
+    return scale_to_energy(*system_, part.cubes, kept, goal, most_scaled_up, state);
+  };
+  const auto kept = [&] { return kept_motion(momentum_of(*system_, state, part.cubes), normals); };
+  scale(kept());
+  if (system_->rubs && !normals.empty()) {
+    // Fixed bodies that rub take momentum along their sides, too.
+    scale(RigidMotion{});
+  } else if (!system_->gravity.isZero(0.0)) {
+    // A blow that was taken back has lifted cubes without the momentum that leads there, or lowered them.
+    normals.push_back(-system_->gravity.normalized());
+    scale(kept());
+  }
 }
 
 /// Cubes that pushed nothing in the step, and that a clean-up moved all the same.

@@ -16,43 +16,52 @@ Crowding crowding_of(int cubes, bool only_events = false) {
 
 TEST(Crowding, TooManyAreMoreThanTwentyFiveInAFrame) {
   Crowding crowding = crowding_of(2);
-  crowding.count(0.5, 25);
+  crowding.count(0.5, 25, 0);
   EXPECT_FALSE(crowding.crowds());
-  crowding.count(0.9, 1);
+  crowding.count(0.9, 1, 0);
   EXPECT_TRUE(crowding.crowds());
-  crowding.count(1.1, 1);
+  crowding.count(1.1, 1, 0);
   EXPECT_FALSE(crowding.crowds()) << "another frame";
 }
 
 TEST(Crowding, LargeGroupsAffordFewerEvents) {
   Crowding crowding = crowding_of(100);
-  crowding.count(0.5, 3);
+  crowding.count(0.5, 3, 0);
   EXPECT_FALSE(crowding.crowds());
-  crowding.count(0.5, 1);
+  crowding.count(0.5, 1, 0);
   EXPECT_TRUE(crowding.crowds());
 }
 
-TEST(Crowding, OnlyAThousandAreTooManyWhereNobodySteps) {
+TEST(Crowding, OnlyFiveHundredAreTooManyWhereNobodySteps) {
   Crowding crowding = crowding_of(100, true);
-  crowding.count(0.5, 1000);
+  crowding.count(0.5, 500, 0);
   EXPECT_FALSE(crowding.crowds());
-  crowding.count(0.5, 1);
+  crowding.count(0.5, 1, 0);
   EXPECT_TRUE(crowding.crowds());
+}
+
+TEST(Crowding, StepsThatGetNowhereAreTooManyWithoutEvents) {
+  Crowding crowding = crowding_of(2);
+  crowding.count(0.5, 0, 500);
+  EXPECT_FALSE(crowding.crowds());
+  crowding.count(0.5, 0, 1);
+  EXPECT_TRUE(crowding.crowds());
+  EXPECT_TRUE(crowding.calm()) << "of events";
 }
 
 TEST(Crowding, IsCalmAfterAFrameWithoutTooMany) {
   Crowding crowding = crowding_of(2);
-  crowding.count(0.5, 30);
-  crowding.count(1.5, 0);
+  crowding.count(0.5, 30, 0);
+  crowding.count(1.5, 0, 0);
   EXPECT_FALSE(crowding.calm()) << "the frame before";
-  crowding.count(2.5, 0);
+  crowding.count(2.5, 0, 0);
   EXPECT_TRUE(crowding.calm());
 }
 
 TEST(Crowding, AFrameThatWasSkippedHadNoEvents) {
   Crowding crowding = crowding_of(2);
-  crowding.count(0.5, 30);
-  crowding.count(5.5, 0);
+  crowding.count(0.5, 30, 0);
+  crowding.count(5.5, 0, 0);
   EXPECT_TRUE(crowding.calm());
 }
 

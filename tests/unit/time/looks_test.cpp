@@ -1,4 +1,6 @@
 // Who looks at a motion changes nothing about it: neither its states nor what is kept book of. Also shown_joints.cpp.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/scene/scene_parser.h"
@@ -150,6 +152,32 @@ cube = [{ size = [1, 0.5], mass = 0.001, position = [2.8, 1.7], velocity = [-0.2
   for (int k = 0; k < 60; ++k) {
     simulation.advance_to(1.325 + 0.00025 * k);
     EXPECT_LE(deepest_overlap(m.system, simulation.states()), 1e-9) << "at " << simulation.time();
+  }
+}
+
+TEST(Look, GainsNothingWhileABlowIsTakenBack) {
+  // A block of nine comes apart. Places between the ends of a step know of blows of which its velocities know nothing any more.
+  const Scene scene = parse_scene(R"(
+material = { friction = 240115.0, restitution = 0.9 }
+plane = [{ name = "floor", friction = 0.6222 }]
+cube = [{ position = [0, 1], friction = 1.0 },
+        { position = [1, 1], friction = 0.00013949932726646982 },
+        { position = [2, 1], friction = 0.1 },
+        { position = [0, 2], friction = 0.004776748380456321 },
+        { position = [1, 2], friction = 0.0312, restitution = 0.0 },
+        { position = [2, 2] },
+        { position = [0, 3], friction = 0.52 },
+        { position = [1, 3], friction = 5.4, restitution = 0.0 },
+        { position = [2, 3], velocity = [-2.779, 0.2], restitution = 0.0 }]
+)",
+                                  "block.toml");
+  Simulation simulation(scene, {});
+  double lowest = simulation.snapshot({}).energy;
+  for (int k = 1; k <= 300; ++k) {
+    simulation.advance_to(k / 600.0);
+    const double energy = simulation.snapshot({}).energy;
+    EXPECT_LE(energy, lowest + 1e-5) << "at " << simulation.time();
+    lowest = std::min(lowest, energy);
   }
 }
 
