@@ -86,9 +86,10 @@ std::vector<StepComponent> components_of(const System& system,
     const Contact& c = blow.end;
     if (system.is_cube(c.on) && system.is_cube(c.from)) continue;
     const int k = component[a_cube_of(system, c)];
-    if (k < 0 || components[k].fixed_normals.size() >= 2) continue;
-    if (blow.acts() || blow.cleaned || is_near(system, c, touching_share))
-      components[k].fixed_normals.push_back(c.normal);
+    if (k < 0 || !(blow.acts() || blow.cleaned || is_near(system, c, touching_share))) continue;
+    std::vector<Vec2>& normals = components[k].fixed_normals;
+    normals.reserve(2);
+    if (normals.size() < 2) normals.push_back(c.normal);
   }
   return components;
 }
@@ -240,6 +241,7 @@ double sum_of(const std::vector<StepLoss>& losses) {
 StepRecord record_of(const System& system, const Stride& stride, const State& end) {
   const std::vector<int> component = component_of(system, stride);
   StepRecord record{{}, components_of(system, stride, component)};
+  record.impulses.reserve(stride.blows.size());
   std::vector<Balance> balances(record.components.size());
   for (const auto& [id, blow] : stride.blows) {
     if (!blow.acts()) continue;
