@@ -186,13 +186,13 @@ void ContactForm::scale_row(const QuadraticProgram& p,
     int k = unit.first;
     while (block_[k] != number)
       ++k;
-    Quad g{};
+    Quad& g = tangential ? entry_[k].t : entry_[k].n;
     for (int c = 0; c < size; ++c) {
+      const double scaled = J[c] * root_[number].v[c];
       shift += J[c] * p.target[first + c];
-      g.v[c] = J[c] * root_[number].v[c];
-      square += g.v[c] * g.v[c];
+      square += scaled * scaled;
+      g.v[c] = scaled;
     }
-    (tangential ? entry_[k].t : entry_[k].n) = g;
   });
   (tangential ? unit.h.t : unit.h.n) = p.bound[row] - shift;
   (tangential ? unit.square.t : unit.square.n) = square;
