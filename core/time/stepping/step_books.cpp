@@ -78,9 +78,9 @@ std::vector<StepComponent> components_of(const System& system,
     if (component[cube] >= 0) components[component[cube]].cubes.push_back(cube);
   // A rod to a fixed place keeps nothing of the motion as it is.
   for (const Rod& rod : system.rods) {
-    if (is_held(rod))
-      components[component[std::max(rod.i.body, rod.j.body)]].fixed_normals = {Vec2::UnitX(),
-                                                                               Vec2::UnitY()};
+    if (!is_held(rod)) continue;
+    StepComponent& part = components[component[std::max(rod.i.body, rod.j.body)]];
+    part.fixed_normals = {Vec2::UnitX(), Vec2::UnitY()};
   }
   for (const auto& [id, blow] : stride.blows) {
     const Contact& c = blow.end;
