@@ -9,6 +9,10 @@
 namespace wuerfel {
 namespace {
 
+double corner_gap(const Box& b, int k, const Body& plane) {
+  return side_gap(plane.normal, (b.center - plane.point) + b.arm[k], 0.0);
+}
+
 /// The contact of corner k of a box with a plane. The plane has no ends: the side is placed under
 /// the corner.
 Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane) {
@@ -19,7 +23,7 @@ Contact corner_on_plane(int on, const Box& b, int k, int from, const Body& plane
   c.normal = plane.normal;
   c.arm_k = b.arm[k];
   c.point = b.center + c.arm_k;
-  c.gap = side_gap(plane.normal, (b.center - plane.point) + c.arm_k, 0.0);
+  c.gap = corner_gap(b, k, plane);
   c.alpha = 0.5;
   const Vec2 foot = c.point - c.gap * c.normal;
   c.arm_i = foot + 0.5 * perp(c.normal);
@@ -93,8 +97,7 @@ Contact at_poses(const System& system, std::span<const Box> boxes, const Contact
 double gap_at_poses(const System& system, std::span<const Box> boxes, const Contact& c) {
   const Box& b = boxes[c.on];
   const Body& from = system.body(c.from);
-  if (from.kind == BodyKind::plane)
-    return side_gap(from.normal, (b.center - from.point) + b.arm[c.corner], 0.0);
+  if (from.kind == BodyKind::plane) return corner_gap(b, c.corner, from);
   const Box& a = boxes[c.from];
   return side_gap(a.normal(c.side), (b.center - a.center) + b.arm[c.corner], a.reach(c.side));
 }
@@ -152,9 +155,8 @@ void ContactFinder::find_on_planes(const System& system,
       note(separation, scale, i, p);
       int corners = 0;
       for (int k = 0; k < box.corner_count(); ++k) {
-        const Contact c = corner_on_plane(i, box, k, p, plane);
-        if (c.gap > touching) continue;
-        contacts.push_back(c);
+        if (corner_gap(box, k, plane) > touching) continue;
+        contacts.push_back(corner_on_plane(i, box, k, p, plane));
         ++corners;
       }
       const Touch touch{Touch::Kind::on_plane, i, p, 0, -1, 0, 1, {}, scale, {}};

@@ -19,6 +19,7 @@ constexpr int retry_newton_after = 32;
 /// linear algebra, and the longest pause, in solves, after guesses that failed.
 constexpr double guess_tolerance = 1e-11;
 constexpr int most_guessed_blocks = 64;
+constexpr std::size_t few_loaded_rows = 32;  ///< for which it is worth it in larger programs, too
 constexpr int longest_pause = 64;
 
 /// Up to so many rows whatever is not exact is finished off: it costs next to nothing.
@@ -104,7 +105,8 @@ NewtonEffort AutomaticSolver::newton_effort() const {
 }
 
 bool AutomaticSolver::guess(const QuadraticProgram& program, QpResult& result) {
-  if (program.row_name.empty() || guesses_.loaded.empty() || program.blocks() > most_guessed_blocks)
+  if (program.row_name.empty() || guesses_.loaded.empty()) return false;
+  if (program.blocks() > most_guessed_blocks && guesses_.loaded.size() > few_loaded_rows)
     return false;
   const int pause = std::min((1 << std::min(guesses_.failed, 16)) - 1, longest_pause);
   if (guesses_.since++ < pause) return false;

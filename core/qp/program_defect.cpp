@@ -1,24 +1,25 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
 namespace {
 
-/// v * 0 is 0 for every number and not a number for everything else; four sums keep the adders
+/// v * 0 is 0 for every number and not a number for everything else; eight sums keep the adders
 /// busy.
 bool all_finite(const std::vector<double>& values) {
-  std::array<double, 4> sum{};
+  std::array<double, 8> sum{};
   std::size_t i = 0;
-  for (; i + 4 <= values.size(); i += 4) {
-    for (std::size_t k = 0; k < 4; ++k)
+  for (; i + sum.size() <= values.size(); i += sum.size()) {
+    for (std::size_t k = 0; k < sum.size(); ++k)
       sum[k] += values[i + k] * 0.0;
   }
   for (; i < values.size(); ++i)
     sum[0] += values[i] * 0.0;
-  return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
+  return std::accumulate(sum.begin(), sum.end(), 0.0) == 0.0;
 }
 
 std::string_view size_defect(const QuadraticProgram& p) {

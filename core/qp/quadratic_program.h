@@ -52,6 +52,9 @@ struct QuadraticProgram {
   [[nodiscard]] bool is_equality(int row) const {
     return force_min[row] == -unbounded && force_max[row] == unbounded;
   }
+  [[nodiscard]] std::span<const int> blocks_of(int row) const {
+    return {entry_block.data() + row_start[row], entry_block.data() + row_start[row + 1]};
+  }
   [[nodiscard]] std::span<const double> entry(int e) const {
     return std::span<const double>(coefficients.data() + e * block_size, block_size);
   }

@@ -25,16 +25,12 @@ inline void add_outer(const Column& n, const Column& p, const Column& t, const C
 /// Normal and tangential part side by side.
 using Both = double __attribute__((vector_size(sizeof(Pair))));
 
-std::span<const int> blocks_of_row(const QuadraticProgram& p, int row) {
-  return {p.entry_block.data() + p.row_start[row], p.entry_block.data() + p.row_start[row + 1]};
-}
-
 /// Adds the blocks of a unit: those of its normal row, and what the tangential one has beyond them.
 void add_blocks(const QuadraticProgram& p, const ContactUnit& unit, std::vector<int>& blocks) {
-  const std::span<const int> normal = blocks_of_row(p, unit.normal);
+  const std::span<const int> normal = p.blocks_of(unit.normal);
   blocks.insert(blocks.end(), normal.begin(), normal.end());
   if (unit.tangent < 0) return;
-  const std::span<const int> tangent = blocks_of_row(p, unit.tangent);
+  const std::span<const int> tangent = p.blocks_of(unit.tangent);
   if (std::ranges::equal(normal, tangent)) return;
   for (const int block : tangent) {
     if (std::ranges::find(normal, block) == normal.end()) blocks.push_back(block);
@@ -186,13 +182,13 @@ void ContactForm::scale_row(const QuadraticProgram& p,
     int k = unit.first;
     while (block_[k] != number)
       ++k;
-    Quad g{};
+    Quad& g = tangential ? entry_[k].t : entry_[k].n;
     for (int c = 0; c < size; ++c) {
+      const double scaled = J[c] * root_[number].v[c];
       shift += J[c] * p.target[first + c];
-      g.v[c] = J[c] * root_[number].v[c];
-      square += g.v[c] * g.v[c];
+      square += scaled * scaled;
+      g.v[c] = scaled;
     }
-    (tangential ? entry_[k].t : entry_[k].n) = g;
   });
   (tangential ? unit.h.t : unit.h.n) = p.bound[row] - shift;
   (tangential ? unit.square.t : unit.square.n) = square;

@@ -116,7 +116,7 @@ bool Landing::rests(const Island& island, State& state) {
     stop(state[cube]);
   for (std::size_t k = 0; k < resting->contacts.size(); ++k) {
     const Contact& c = resting->contacts[k];
-    Blow& blow = stride_->blows.emplace(c.id(), Blow{c, c}).first->second;
+    Blow& blow = stride_->blows.try_emplace(c.id(), Blow{c, c}).first->second;
     blow.second = 0.5 * stride_->h * resting->forces[k];
   }
   return true;

@@ -78,17 +78,18 @@ std::vector<StepComponent> components_of(const System& system,
     if (component[cube] >= 0) components[component[cube]].cubes.push_back(cube);
   // A rod to a fixed place keeps nothing of the motion as it is.
   for (const Rod& rod : system.rods) {
-    if (is_held(rod))
-      components[component[std::max(rod.i.body, rod.j.body)]].fixed_normals = {Vec2::UnitX(),
-                                                                               Vec2::UnitY()};
+    if (!is_held(rod)) continue;
+    StepComponent& part = components[component[std::max(rod.i.body, rod.j.body)]];
+    part.fixed_normals = {Vec2::UnitX(), Vec2::UnitY()};
   }
   for (const auto& [id, blow] : stride.blows) {
     const Contact& c = blow.end;
     if (system.is_cube(c.on) && system.is_cube(c.from)) continue;
     const int k = component[a_cube_of(system, c)];
-    if (k < 0 || components[k].fixed_normals.size() >= 2) continue;
-    if (blow.acts() || blow.cleaned || is_near(system, c, touching_share))
-      components[k].fixed_normals.push_back(c.normal);
+    if (k < 0 || !(blow.acts() || blow.cleaned || is_near(system, c, touching_share))) continue;
+    std::vector<Vec2>& normals = components[k].fixed_normals;
+    normals.reserve(2);
+    if (normals.size() < 2) normals.push_back(c.normal);
   }
   return components;
 }
@@ -240,6 +241,7 @@ double sum_of(const std::vector<StepLoss>& losses) {
 StepRecord record_of(const System& system, const Stride& stride, const State& end) {
   const std::vector<int> component = component_of(system, stride);
   StepRecord record{{}, components_of(system, stride, component)};
+  record.impulses.reserve(stride.blows.size());
   std::vector<Balance> balances(record.components.size());
   for (const auto& [id, blow] : stride.blows) {
     if (!blow.acts()) continue;

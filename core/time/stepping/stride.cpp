@@ -13,8 +13,11 @@ void add_blows(const System& system,
                const std::vector<Box>& start_boxes,
                const std::vector<Contact>& contacts,
                Stride& stride) {
-  for (const Contact& c : contacts)
-    stride.blows.emplace(c.id(), Blow{at_poses(system, start_boxes, c), c});
+  for (const Contact& c : contacts) {
+    const auto at = stride.blows.lower_bound(c.id());
+    if (at == stride.blows.end() || at->first != c.id())
+      stride.blows.emplace_hint(at, c.id(), Blow{at_poses(system, start_boxes, c), c});
+  }
 }
 
 std::vector<Contact> acting(const Stride& stride) {
