@@ -33,7 +33,7 @@ ControlledStepping::ControlledStepping(const System& system,
     : system_(&system),
       stepper_(system, settings, policy.sway),
       allowed_error_(policy.allowed_error),
-      sway_(system.rods.empty() ? 0.0 : policy.sway) {}
+      sway_(policy.sway) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);
@@ -74,10 +74,11 @@ double ControlledStepping::in_motion() const {
 /// By how much energy may rise in a step before it is put right, J.
 double ControlledStepping::bearable_rise() const { return rise_share * in_motion(); }
 
-/// By how much a step may change energy that sways, J. Without rods it is put right before it has strayed far, and shorter
-/// steps would cost a third more.
+/// By how much a step may change the energy before it is put right, J, either way. Without rods it is put right before it has
+/// strayed far, and shorter steps would cost a third more.
 double ControlledStepping::bearable_sway() const {
-  return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : std::numeric_limits<double>::infinity();
+  if (system_->rods.empty()) return std::numeric_limits<double>::infinity();
+  return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : bearable_rise();
 }
 
 /// Whether the error of a step and what it changed the energy by are small enough.
