@@ -96,10 +96,16 @@ Step ControlledStepping::take_step(double t, double shortest, double& h) {
     step.book.cost = sum_of(step.book.cost, tried);
     const bool clean = step.overlap <= overlap_share;
     const bool kept = step.book.audit.max_rod_error <= promised_rod_error;
-    if (clean && ((kept && is_exact(step)) || h <= shortest)) return step;
+    if (clean && kept && is_exact(step)) return step;
     if (h <= shortest) {
-      step = stepper_.stop_short(std::move(step), t);
-      ++step.book.audit.unresolved;
+      if (!clean) {
+        step = stepper_.stop_short(std::move(step), t);
+        ++step.book.audit.unresolved;
+      }
+      if (step.rise.unpaid > bearable_rise()) {
+        step = stepper_.halt(std::move(step), t);
+        ++step.book.audit.unresolved;
+      }
       return step;
     }
     tried = step.book.cost;

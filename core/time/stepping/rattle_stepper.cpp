@@ -80,6 +80,23 @@ Step RattleStepper::stop_short(Step tried, double t) {
   return step;
 }
 
+Step RattleStepper::halt(Step tried, double t) const {
+  Step step;
+  step.book.cost = tried.book.cost;
+  step.book.audit = tried.book.audit;
+  step.book.audit.max_overlap = step.book.audit.max_penetration = 0.0;
+  step.book.audit.max_rod_error = 0.0;
+  step.book.breaches = std::move(tried.book.breaches);
+  step.jammed = std::move(tried.jammed);
+  step.state = stride_.start;
+  for (BodyState& s : step.state)
+    stop(s);
+  step.book.losses = {{t + stride_.h, kinetic_energy(*system_, stride_.start), false, t}};
+  step.book.settled = unexplained(*system_, stride_.start, step.state, stride_.h, {});
+  step.record = std::make_shared<const StepRecord>();
+  return step;
+}
+
 /// Velocities and books at the end of the way.
 void RattleStepper::arrive(Step& step, double t) {
   for (std::size_t i = 0; i < step.state.size(); ++i) {

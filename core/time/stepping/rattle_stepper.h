@@ -50,6 +50,9 @@ class RattleStepper {
   /// The last step again, with cubes that overlap at its end stopped short on their way: for those that no step is
   /// short enough for.
   [[nodiscard]] Step stop_short(Step tried, double t);
+  /// The last step again, in which everything stops where it was at its start: for those that would make energy which no motion
+  /// can pay for.
+  [[nodiscard]] Step halt(Step tried, double t) const;
 
   /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing tunnels.
   [[nodiscard]] double longest_step(const State& state) const;

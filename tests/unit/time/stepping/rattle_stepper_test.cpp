@@ -2,6 +2,7 @@
 #include "core/time/stepping/rattle_stepper.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,20 @@ TEST(RattleStepper, FreeFlightIsAParabola) {
   EXPECT_LT(s.taken.error, 1e-14);
   EXPECT_EQ(s.taken.book.cost.qp_solves, 0);
   EXPECT_TRUE(s.taken.record->impulses.empty());
+}
+
+TEST(RattleStepper, WhatIsHaltedStandsWhereItWasAndHasLostItsMotion) {
+  Stepped s(collision());
+  const Step halted = s.stepper.halt(std::move(s.taken), 2.0);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(halted.state[i].position, s.m.state[i].position);
+    EXPECT_TRUE(is_still(halted.state[i]));
+  }
+  ASSERT_EQ(halted.book.losses.size(), 1U);
+  EXPECT_EQ(halted.book.losses[0].energy, 0.5);
+  EXPECT_TRUE(halted.book.events.empty());
+  EXPECT_EQ(halted.rise.unpaid, 0.0);
+  EXPECT_NEAR(halted.book.settled.linear.x(), -1.0, 1e-15);
 }
 
 TEST(RattleStepper, TheGroundCarriesTheWeight) {
