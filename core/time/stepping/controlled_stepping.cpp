@@ -16,6 +16,8 @@ constexpr double rise_share = 1e-4;
 /// What of that nothing can pay for is to be no more than this share of it.
 constexpr double unpaid_share = 1e-4;
 constexpr double shortest_share = 1.0 / 16.0;
+/// Rods that are farther off their lengths at the end of the shortest step are torn.
+constexpr double torn_share = 1e-6;
 /// Where energy sways a step with rods may add no more than this share of what it may sway by.
 constexpr double sway_of_step = 0.1;
 /// They are doubled where error and rise are below these shares of what is allowed.
@@ -88,6 +90,11 @@ bool ControlledStepping::is_exact(const Step& step) const {
          && step.rise.unpaid <= unpaid_share * bearable_rise();
 }
 
+/// Whether a step leads nowhere: energy that nothing pays for, or rods far from their lengths, to which no motion leads back.
+bool ControlledStepping::is_hopeless(const Step& step) const {
+  return step.rise.unpaid > bearable_rise() || step.book.audit.max_rod_error > torn_share;
+}
+
 /// The longest step of h, h / 2, h / 4 .. that is good enough, or the shortest; `h` becomes its length.
 Step ControlledStepping::take_step(double t, double shortest, double& h) {
   Cost tried;
@@ -102,7 +109,7 @@ Step ControlledStepping::take_step(double t, double shortest, double& h) {
         step = stepper_.stop_short(std::move(step), t);
         ++step.book.audit.unresolved;
       }
-      if (step.rise.unpaid > bearable_rise()) {
+      if (is_hopeless(step)) {
         step = stepper_.halt(std::move(step), t);
         ++step.book.audit.unresolved;
       }

@@ -87,6 +87,11 @@ Step RattleStepper::halt(Step tried, double t) const {
   step.book.audit.max_overlap = step.book.audit.max_penetration = 0.0;
   step.book.audit.max_rod_error = 0.0;
   step.book.breaches = std::move(tried.book.breaches);
+  std::vector<std::string> torn = lost_rods(*system_, tried.state);
+  if (!torn.empty()) {
+    ++step.book.audit.rods_contradicting;
+    step.book.breaches.push_back({Promise::rods, t, std::move(torn)});
+  }
   step.jammed = std::move(tried.jammed);
   step.state = stride_.start;
   for (BodyState& s : step.state)

@@ -51,7 +51,7 @@ class RattleStepper {
   /// short enough for.
   [[nodiscard]] Step stop_short(Step tried, double t);
   /// The last step again, in which everything stops where it was at its start: for those that would make energy which no motion
-  /// can pay for.
+  /// can pay for, or tear rods, which contradict each other then.
   [[nodiscard]] Step halt(Step tried, double t) const;
 
   /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing tunnels.
