@@ -31,6 +31,12 @@ RattleStepper::RattleStepper(const System& system, const MotionSettings& setting
       closed_(system),
       sway_(sway) {}
 
+void RattleStepper::begin(const State& state) {
+  const Scales scales = scales_of(*system_, state);
+  true_energy_ = energy(*system_, state);
+  start_motion_ = kinetic_energy(*system_, state) + scales.weight * scales.length;
+}
+
 double RattleStepper::longest_step(const State& state) const {
   double fastest = 0.0;
   double thinnest = std::numeric_limits<double>::max();
@@ -131,6 +137,9 @@ void RattleStepper::arrive(Step& step, double t) {
   const bool sways = sway_ > 0.0 && !strays(record, step.state);
   const State unsettled = step.state;
   step.rise = restore_energy(*system_, stride_, sways, record, step.state);
+  // What it was astray by before the step is paid back as well.
+  if (sway_ > 0.0 && !sways)
+    pay(*system_, record.components, energy(*system_, stride_.start) - true_energy_, step.state);
   note_settled(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
   Loss impacts{t + stride_.h, 0.0, false, t};
   Loss friction{t + stride_.h, 0.0, true, t};
@@ -226,7 +235,8 @@ bool RattleStepper::strays(const StepRecord& record, const State& end) const {
   double astray = energy(*system_, end) - true_energy_;
   for (const StepComponent& part : record.components)
     astray += sum_of(part.losses);
-  const double in_motion = kinetic_energy(*system_, stride_.start) + scales.weight * scales.length;
+  const double in_motion = std::min(
+      start_motion_, kinetic_energy(*system_, stride_.start) + scales.weight * scales.length);
   const double below = system_->rods.empty() ? most_missing : sway_;
   return astray > sway_ * in_motion || -astray > below * in_motion;
 }

@@ -42,7 +42,7 @@ class RattleStepper {
   RattleStepper(const System& system, const MotionSettings& settings, double sway);
 
   /// The motion goes on from a state without overlap.
-  void begin(const State& state) { true_energy_ = energy(*system_, state); }
+  void begin(const State& state);
   /// A step was accepted.
   void accept(const Step& step);
   /// One step of `h` s from a state without overlap at time t.
@@ -82,7 +82,9 @@ class RattleStepper {
   ClosedContacts closed_;
   double sway_ = 0.0;
   double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
-  std::vector<int> jammed_;   ///< Step::jammed of the step before
+  double start_motion_ =
+      0.0;  ///< J, what was in motion at the beginning: what falls later does not make it sway by more
+  std::vector<int> jammed_;  ///< Step::jammed of the step before
   Stride stride_;
   State flown_;                   ///< the end before the clean-up
   std::vector<Contact> cleaned_;  ///< contacts of the clean-up

@@ -56,6 +56,18 @@ TEST(RattleStepper, FreeFlightIsAParabola) {
   EXPECT_TRUE(s.taken.record->impulses.empty());
 }
 
+TEST(RattleStepper, WhatEnergyWasAstrayByIsPaidBack) {
+  Scene scene = collision();
+  for (SceneCube& c : scene.cubes)
+    c.material.restitution = 1.0;
+  const Mechanism m(scene);
+  RattleStepper stepper(m.system, {}, 1e-4);
+  stepper.begin(m.state);
+  State faster = m.state;
+  faster[0].velocity.x() = 1.01;
+  EXPECT_NEAR(kinetic_energy(m.system, stepper.step(faster, 0.0, h).state), 0.5, 1e-14);
+}
+
 TEST(RattleStepper, WhatIsHaltedStandsWhereItWasAndHasLostItsMotion) {
   Stepped s(collision());
   const Step halted = s.stepper.halt(std::move(s.taken), 2.0);
