@@ -15,8 +15,8 @@
 namespace wuerfel {
 namespace {
 
-/// Without rods energy comes back from below by itself, but where more than this share of it is missing: three quarters of
-/// what the books may be open by.
+/// Three quarters of what the books may be open by, which is a share of what was in motion at the beginning. Without rods energy
+/// comes back from below by itself, but where more than this share of it is missing.
 constexpr double most_missing = 0.75e-4;
 
 }  // namespace
@@ -235,10 +235,10 @@ bool RattleStepper::strays(const StepRecord& record, const State& end) const {
   double astray = energy(*system_, end) - true_energy_;
   for (const StepComponent& part : record.components)
     astray += sum_of(part.losses);
-  const double in_motion = std::min(
-      start_motion_, kinetic_energy(*system_, stride_.start) + scales.weight * scales.length);
+  const double in_motion = kinetic_energy(*system_, stride_.start) + scales.weight * scales.length;
   const double below = system_->rods.empty() ? most_missing : sway_;
-  return astray > sway_ * in_motion || -astray > below * in_motion;
+  const double most = most_missing * start_motion_;
+  return astray > std::min(most, sway_ * in_motion) || -astray > std::min(most, below * in_motion);
 }
 
 void RattleStepper::accept(const Step& step) {

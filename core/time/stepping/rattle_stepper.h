@@ -81,10 +81,9 @@ class RattleStepper {
   Landing landing_;
   ClosedContacts closed_;
   double sway_ = 0.0;
-  double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
-  double start_motion_ =
-      0.0;  ///< J, what was in motion at the beginning: what falls later does not make it sway by more
-  std::vector<int> jammed_;  ///< Step::jammed of the step before
+  double true_energy_ = 0.0;   ///< J, of the beginning less what has been lost
+  double start_motion_ = 0.0;  ///< J, what was in motion at the beginning
+  std::vector<int> jammed_;    ///< Step::jammed of the step before
   Stride stride_;
   State flown_;                   ///< the end before the clean-up
   std::vector<Contact> cleaned_;  ///< contacts of the clean-up
