@@ -236,9 +236,10 @@ bool RattleStepper::strays(const StepRecord& record, const State& end) const {
   for (const StepComponent& part : record.components)
     astray += sum_of(part.losses);
   const double in_motion = kinetic_energy(*system_, stride_.start) + scales.weight * scales.length;
-  const double below = system_->rods.empty() ? most_missing : sway_;
-  const double most = most_missing * start_motion_;
-  return astray > std::min(most, sway_ * in_motion) || -astray > std::min(most, below * in_motion);
+  const double sway = sway_ * in_motion;
+  if (!system_->rods.empty()) return std::abs(astray) > sway;
+  const double most = most_missing * std::min(start_motion_, in_motion);
+  return astray > std::min(sway, most) || -astray > most;
 }
 
 void RattleStepper::accept(const Step& step) {
