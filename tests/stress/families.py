@@ -179,8 +179,9 @@ def pile(count):
 
 # What bodies that lie flush, or corner on corner, have done to each other: more than touching, by a little in each event.
 OVERLAPPED_ONCE = [2249, 2947, 5579, 8423, 8669]
-# Scenes that gained or lost energy for no reason, or took more than half a minute.
-BROKEN_ONCE = [203877, 221569, 231788, 301867, 302007, 303888, 304275, 310291, 310538, 311276, 311652]
+# Scenes that gained or lost energy for no reason, that were wedged for none, or took more than half a minute.
+BROKEN_ONCE = [203410, 203877, 209269, 221569, 231788, 301867, 302007, 303888, 304275, 305770, 310167, 310291, 310538, 311276,
+               311312, 311566, 311652, 325465, 340522]
 
 
 def random_family(seed):

@@ -226,19 +226,18 @@ double StepLook::set_energy(const StepComponent& part,
   return std::max(0.0, -missing);
 }
 
-/// Cubes that pushed nothing in the step, and that a clean-up moved all the same.
+/// Cubes that pushed nothing in the step, and that a look moved from where they flew.
 std::vector<int> StepLook::flying(const StepRecord& record,
-                                  const std::vector<Contact>& cleaned) const {
-  std::vector<char> moved(system_->count(), 0);
-  for (const Contact& c : cleaned)
-    moved[c.on] = moved[c.from] = 1;
+                                  const State& flown,
+                                  const State& state) const {
+  std::vector<char> pushed(system_->count(), 0);
   for (const StepComponent& part : record.components) {
     for (const int cube : part.cubes)
-      moved[cube] = 0;
+      pushed[cube] = 1;
   }
   std::vector<int> cubes;
   for (int cube = 0; cube < system_->cubes; ++cube) {
-    if (moved[cube] != 0) cubes.push_back(cube);
+    if (pushed[cube] == 0 && flown[cube].position != state[cube].position) cubes.push_back(cube);
   }
   return cubes;
 }
@@ -260,13 +259,15 @@ State StepLook::at(
   double too_much = 0.0;
   for (const StepComponent& part : record.components)
     too_much += set_energy(part, from, to, share, state);
-  pay(*system_, record.components, too_much, state);
-  for (const int cube : flying(record, cleaned)) {
+  for (const int cube : flying(record, uncleaned, state)) {
     const std::array<int, 1> alone{cube};
     const double start = energy_of(*system_, from, alone);
     const double goal = start + share * (energy_of(*system_, to, alone) - start);
-    scale_to_energy(*system_, alone, RigidMotion{}, goal, most_scaled_up, state);
+    const double missing =
+        scale_to_energy(*system_, alone, RigidMotion{}, goal, most_scaled_up, state);
+    too_much += std::max(0.0, -missing);
   }
+  pay(*system_, record.components, too_much, state);
   return state;
 }
 

@@ -32,7 +32,8 @@ class StepLook {
                     State& state) const;
 
   [[nodiscard]] std::vector<int> flying(const StepRecord& record,
-                                        const std::vector<Contact>& cleaned) const;
+                                        const State& flown,
+                                        const State& state) const;
 
   const System* system_;
   Workspace work_;
