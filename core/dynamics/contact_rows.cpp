@@ -30,6 +30,13 @@ SideRow tangential_row(const System& system, const State& state, const Contact& 
   }
   row = scaled(row, 1.0 / c.length);
   if (order == Order::position) row.c = c.slip;
+  if (order != Order::acceleration && system.is_cube(c.from)) {
+    // Across an open gap the side's body is met at the place of the corner, where impulses act: it turns by <v_j - v_i, n>.
+    const Vec2 foot = state[c.from].position + c.alpha * c.arm_j + (1.0 - c.alpha) * c.arm_i;
+    const Vec2 turn = c.normal.dot(c.point - foot) / c.length * c.normal;
+    row.g_i += turn;
+    row.g_j -= turn;
+  }
   return row;
 }
 

@@ -15,6 +15,9 @@ namespace {
 /// Pivots of independent rows are larger than this share of the largest.
 constexpr double safe_pivot = 1e-3;
 
+/// Rows contradict one another where accelerations miss them by more than this share of what has to be made up for.
+constexpr double contradiction_share = 1e-8;
+
 /// One row after the other, so that one can be handed on.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -187,6 +190,13 @@ void RubbingContacts::solve(const System& system,
   const Eigen::VectorXd lambda = multipliers(e, redundant_);
   const Eigen::VectorXd found =
       e.target + e.inverse_mass.cwiseProduct(e.columns.transpose() * lambda);
+  if (order == Order::acceleration) {
+    const Eigen::VectorXd missed = (e.rows * found - e.bound).head(normals + sticking);
+    const Eigen::VectorXd due = e.bound - e.rows * e.target;
+    contradict_ =
+        redundant_
+        && missed.lpNorm<Eigen::Infinity>() > contradiction_share * due.lpNorm<Eigen::Infinity>();
+  }
   x.assign(found.begin(), found.end());
   forces.assign(lambda.begin(), lambda.begin() + normals);
   tangential_.assign(lambda.begin() + normals, lambda.begin() + normals + sticking);

@@ -24,6 +24,8 @@ class RubbingContacts {
   /// Whether rows depended on one another in the last solution: forces are then those of least
   /// squares.
   [[nodiscard]] bool redundant() const { return redundant_; }
+  /// Whether the last accelerations do not keep all contacts closed, or sticking: they have come to contradict one another.
+  [[nodiscard]] bool contradict() const { return contradict_; }
 
   /// `x`: accelerations, velocities or displacements, three for each cube of the island, whose
   /// contacts are those of the touches; the two latter nearest to those of `state`, or to zero, with
@@ -55,6 +57,7 @@ class RubbingContacts {
   std::vector<double> tangential_;  ///< N, of those that stick, in order
   bool any_ = false;
   bool redundant_ = false;
+  bool contradict_ = false;
 };
 
 }  // namespace wuerfel

@@ -53,7 +53,7 @@ struct Audit {
   double max_rod_error = 0.0;     ///< largest relative change of a rod's length
   double max_kkt_residual = 0.0;  ///< worst optimality residual of any program that was used
   long missed_solves = 0;         ///< programs whose residual missed the tolerance
-  /// Times at which cubes had to stop short at the end of a step to leave no overlap.
+  /// Times at which cubes had to stop short at the end of a step to leave no overlap, or at its start to make no energy or tear no rod.
   long unresolved = 0;
   long searches_given_up = 0;  ///< event searches that left a gap near zero unproved; overlap is
                                ///< measured afterwards

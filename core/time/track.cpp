@@ -142,11 +142,12 @@ void Track::follow_events(double limit) {
   const Push unexplained_before = book_.unexplained;
   book_.audit.max_overlap = 0.0;
   events_.advance(limit, pieces_, book_);
-  if (leaves_overlap(before)) {
-    // An event was missed. Stepping does not need to know of it.
-    const long given_up = book_.audit.searches_given_up;
+  if (leaves_overlap(before) || book_.audit.wedged > before.wedged) {
+    // An event was missed, or no accelerations lead there. Stepping does not need to know of either.
+    const Audit tried = book_.audit;
     book_.audit = before;
-    book_.audit.searches_given_up = given_up;
+    book_.audit.searches_given_up = tried.searches_given_up;
+    book_.audit.wedged = tried.wedged;
     book_.events.resize(logged);
     book_.losses.resize(lost);
     book_.unexplained = unexplained_before;

@@ -101,3 +101,50 @@ def random_rubbing(seed):
 def random_events(seed):
     """The same from event to event, without end at one instant in some valleys."""
     return [Case(case.scene, ("--integrator", "event")) for case in random_rubbing(seed)]
+
+
+def any_friction(draw):
+    return draw.choice([0.1, 0.3, 0.6, 1.0, 10 ** draw.uniform(-12, 6), 10 ** draw.uniform(-4, 1), 10 ** draw.uniform(-4, 1)])
+
+
+def any_restitution(draw):
+    return draw.choice([0, 0, 0, 0, 0.3, 0.9, 1.0, draw.random(), 10 ** draw.uniform(-12, 0)])
+
+
+def joined(a_scene, draw):
+    """Up to five rods from places of cubes to others, or to the world."""
+    cubes = [c for c in a_scene.get("cube", []) if "position" in c]
+    if not cubes:
+        return a_scene
+
+    def place(name):
+        return name + draw.choice(["", ".ne", ".sw", ".n", ".e", ".se", ".w"])
+    rods = []
+    for _ in range(draw.randint(1, max(1, min(5, len(cubes))))):
+        a = draw.choice(cubes)
+        if draw.random() < 0.3:
+            x, y = a["position"]
+            rods.append({"from": place(a["name"]), "to": [x + draw.uniform(-3, 3), y + draw.uniform(1, 4)]})
+        else:
+            b = draw.choice(cubes)
+            if b is not a:
+                rods.append({"from": place(a["name"]), "to": place(b["name"])})
+    return {**a_scene, "rod": rods} if rods else a_scene
+
+
+def random_joined(seed):
+    """The random scenes, of all materials in each, three in ten with rods, by one of three integrators."""
+    a_scene = random_scene(int(seed))
+    draw = random.Random(f"drive {int(seed)}")
+    a_scene["material"] = {"friction": any_friction(draw), "restitution": any_restitution(draw)}
+    if draw.random() < 0.5:
+        for body in (b for kind in ("cube", "plane", "fixed", "tower", "pile") for b in a_scene.get(kind, [])):
+            if draw.random() < 0.7:
+                body["friction"] = any_friction(draw)
+            if draw.random() < 0.4:
+                body["restitution"] = any_restitution(draw)
+    if draw.random() < 0.3:
+        a_scene = joined(a_scene, draw)
+    chosen = draw.random()
+    integrator = "auto" if chosen < 0.72 else "rattle" if chosen < 0.9 else "event"
+    return [Case(a_scene, ("--integrator", integrator))]

@@ -36,6 +36,8 @@ class EquationsOfMotion {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Whether the closed contacts depend on one another, so that their loads are not the only ones.
   [[nodiscard]] bool redundant() const { return contacts_.redundant(); }
+  /// Whether no accelerations keep them all as they are.
+  [[nodiscard]] bool contradict() const { return rubs() && contacts_.rubbing().contradict(); }
   /// Whether friction gives energy in place of taking some, at the state of the last call: something that slips pulls by more
   /// than `rounding`, N.
   [[nodiscard]] bool friction_drives(double rounding) const {

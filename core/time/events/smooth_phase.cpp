@@ -163,6 +163,7 @@ void SmoothPhase::complete(double length) {
   equations_.keep_momenta(start_, length, step_.end);
   pack(step_.end, step_.y);
   evaluate(step_.y, step_.rate);
+  step_.followed = step_.followed && !equations_.contradict();
   end_push_ = equations_.pushed();
   step_.loads = seen_;
   step_.elapsed = step_.length = length;

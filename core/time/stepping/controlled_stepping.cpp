@@ -16,6 +16,8 @@ constexpr double rise_share = 1e-4;
 /// What of that nothing can pay for is to be no more than this share of it.
 constexpr double unpaid_share = 1e-4;
 constexpr double shortest_share = 1.0 / 16.0;
+/// Rods that are farther off their lengths at the end of the shortest step are torn.
+constexpr double torn_share = 1e-6;
 /// Where energy sways a step with rods may add no more than this share of what it may sway by.
 constexpr double sway_of_step = 0.1;
 /// They are doubled where error and rise are below these shares of what is allowed.
@@ -33,7 +35,7 @@ ControlledStepping::ControlledStepping(const System& system,
     : system_(&system),
       stepper_(system, settings, policy.sway),
       allowed_error_(policy.allowed_error),
-      sway_(system.rods.empty() ? 0.0 : policy.sway) {}
+      sway_(policy.sway) {}
 
 void ControlledStepping::begin(const State& state, double first, double longest) {
   scales_ = scales_of(*system_, state);
@@ -74,10 +76,11 @@ double ControlledStepping::in_motion() const {
 /// By how much energy may rise in a step before it is put right, J.
 double ControlledStepping::bearable_rise() const { return rise_share * in_motion(); }
 
-/// By how much a step may change energy that sways, J. Without rods it is put right before it has strayed far, and shorter
-/// steps would cost a third more.
+/// By how much a step may change the energy before it is put right, J, either way. Without rods it is put right before it has
+/// strayed far, and shorter steps would cost a third more.
 double ControlledStepping::bearable_sway() const {
-  return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : std::numeric_limits<double>::infinity();
+  if (system_->rods.empty()) return std::numeric_limits<double>::infinity();
+  return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : bearable_rise();
 }
 
 /// Whether the error of a step and what it changed the energy by are small enough.
@@ -85,6 +88,11 @@ bool ControlledStepping::is_exact(const Step& step) const {
   return step.rise.sway <= bearable_sway() && step.error <= allowed_error_
          && step.rise.whole <= bearable_rise()
          && step.rise.unpaid <= unpaid_share * bearable_rise();
+}
+
+/// Whether a step leads nowhere: energy that nothing pays for, or rods far from their lengths, to which no motion leads back.
+bool ControlledStepping::is_hopeless(const Step& step) const {
+  return step.rise.unpaid > bearable_rise() || step.book.audit.max_rod_error > torn_share;
 }
 
 /// The longest step of h, h / 2, h / 4 .. that is good enough, or the shortest; `h` becomes its length.
@@ -95,10 +103,16 @@ Step ControlledStepping::take_step(double t, double shortest, double& h) {
     step.book.cost = sum_of(step.book.cost, tried);
     const bool clean = step.overlap <= overlap_share;
     const bool kept = step.book.audit.max_rod_error <= promised_rod_error;
-    if (clean && ((kept && is_exact(step)) || h <= shortest)) return step;
+    if (clean && kept && is_exact(step)) return step;
     if (h <= shortest) {
-      step = stepper_.stop_short(std::move(step), t);
-      ++step.book.audit.unresolved;
+      if (!clean) {
+        step = stepper_.stop_short(std::move(step), t);
+        ++step.book.audit.unresolved;
+      }
+      if (is_hopeless(step)) {
+        step = stepper_.halt(std::move(step), t);
+        ++step.book.audit.unresolved;
+      }
       return step;
     }
     tried = step.book.cost;

@@ -29,6 +29,7 @@ class ControlledStepping {
   [[nodiscard]] double bearable_rise() const;
   [[nodiscard]] double bearable_sway() const;
   [[nodiscard]] bool is_exact(const Step& step) const;
+  [[nodiscard]] bool is_hopeless(const Step& step) const;
   Step take_step(double t, double shortest, double& h);
 
   const System* system_;

@@ -15,8 +15,8 @@
 namespace wuerfel {
 namespace {
 
-/// Without rods energy comes back from below by itself, but where more than this share of it is missing: three quarters of
-/// what the books may be open by.
+/// Three quarters of what the books may be open by, which is a share of what was in motion at the beginning. Without rods energy
+/// comes back from below by itself, but where more than this share of it is missing.
 constexpr double most_missing = 0.75e-4;
 
 }  // namespace
@@ -30,6 +30,12 @@ RattleStepper::RattleStepper(const System& system, const MotionSettings& setting
       landing_(work_, removal_, resting_),
       closed_(system),
       sway_(sway) {}
+
+void RattleStepper::begin(const State& state) {
+  const Scales scales = scales_of(*system_, state);
+  true_energy_ = energy(*system_, state);
+  start_motion_ = kinetic_energy(*system_, state) + scales.weight * scales.length;
+}
 
 double RattleStepper::longest_step(const State& state) const {
   double fastest = 0.0;
@@ -82,6 +88,28 @@ Step RattleStepper::stop_short(Step tried, double t) {
   return step;
 }
 
+Step RattleStepper::halt(Step tried, double t) const {
+  Step step;
+  step.book.cost = tried.book.cost;
+  step.book.audit = tried.book.audit;
+  step.book.audit.max_overlap = step.book.audit.max_penetration = 0.0;
+  step.book.audit.max_rod_error = 0.0;
+  step.book.breaches = std::move(tried.book.breaches);
+  std::vector<std::string> torn = lost_rods(*system_, tried.state);
+  if (!torn.empty()) {
+    ++step.book.audit.rods_contradicting;
+    step.book.breaches.push_back({Promise::rods, t, std::move(torn)});
+  }
+  step.jammed = std::move(tried.jammed);
+  step.state = stride_.start;
+  for (BodyState& s : step.state)
+    stop(s);
+  step.book.losses = {{t + stride_.h, kinetic_energy(*system_, stride_.start), false, t}};
+  step.book.settled = unexplained(*system_, stride_.start, step.state, stride_.h, {});
+  step.record = std::make_shared<const StepRecord>();
+  return step;
+}
+
 /// Velocities at the end of the way, before anything lands.
 void RattleStepper::fly_second_half(State& state) const {
   for (std::size_t i = 0; i < state.size(); ++i) {
@@ -115,6 +143,9 @@ void RattleStepper::arrive(Step& step, double t) {
   const bool sways = sway_ > 0.0 && !strays(record, step.state);
   const State unsettled = step.state;
   step.rise = restore_energy(*system_, stride_, sways, record, step.state);
+  // What it was astray by before the step is paid back as well.
+  if (sway_ > 0.0 && !sways)
+    pay(*system_, record.components, energy(*system_, stride_.start) - true_energy_, step.state);
   note_settled(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
   Loss impacts{t + stride_.h, 0.0, false, t};
   Loss friction{t + stride_.h, 0.0, true, t};
@@ -211,8 +242,10 @@ bool RattleStepper::strays(const StepRecord& record, const State& end) const {
   for (const StepComponent& part : record.components)
     astray += sum_of(part.losses);
   const double in_motion = kinetic_energy(*system_, stride_.start) + scales.weight * scales.length;
-  const double below = system_->rods.empty() ? most_missing : sway_;
-  return astray > sway_ * in_motion || -astray > below * in_motion;
+  const double sway = sway_ * in_motion;
+  if (!system_->rods.empty()) return std::abs(astray) > sway;
+  const double most = most_missing * std::min(start_motion_, in_motion);
+  return astray > std::min(sway, most) || -astray > most;
 }
 
 void RattleStepper::accept(const Step& step) {

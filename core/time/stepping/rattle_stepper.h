@@ -42,7 +42,7 @@ class RattleStepper {
   RattleStepper(const System& system, const MotionSettings& settings, double sway);
 
   /// The motion goes on from a state without overlap.
-  void begin(const State& state) { true_energy_ = energy(*system_, state); }
+  void begin(const State& state);
   /// A step was accepted.
   void accept(const Step& step);
   /// One step of `h` s from a state without overlap at time t.
@@ -50,6 +50,9 @@ class RattleStepper {
   /// The last step again, with cubes that overlap at its end stopped short on their way: for those that no step is
   /// short enough for.
   [[nodiscard]] Step stop_short(Step tried, double t);
+  /// The last step again, in which everything stops where it was at its start: for those that would make energy which no motion
+  /// can pay for, or tear rods, which contradict each other then.
+  [[nodiscard]] Step halt(Step tried, double t) const;
 
   /// The longest step, s, in which no cube moves by more than half of the thinnest body: nothing tunnels.
   [[nodiscard]] double longest_step(const State& state) const;
@@ -79,8 +82,9 @@ class RattleStepper {
   Landing landing_;
   ClosedContacts closed_;
   double sway_ = 0.0;
-  double true_energy_ = 0.0;  ///< J, of the beginning less what has been lost
-  std::vector<int> jammed_;   ///< Step::jammed of the step before
+  double true_energy_ = 0.0;   ///< J, of the beginning less what has been lost
+  double start_motion_ = 0.0;  ///< J, what was in motion at the beginning
+  std::vector<int> jammed_;    ///< Step::jammed of the step before
   Stride stride_;
   State flown_;                   ///< the end before the clean-up
   std::vector<Contact> cleaned_;  ///< contacts of the clean-up

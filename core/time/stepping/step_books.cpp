@@ -199,7 +199,7 @@ void take_blow(const System& system,
   balance.friction += rubbed;
   if (rubbed > 0.0) add_loss({timing.begin, timing.end, rubbed, true}, balance.frictions);
   (timing.lasts ? balance.lasting : balance.closing) += loss;
-  if (!timing.lasts && loss > 0.0) losses.push_back({timing.begin, timing.end, loss});
+  if (!timing.lasts) losses.push_back({timing.begin, timing.end, std::max(0.0, loss)});
   if (timing.lasts && strikes_at_end(system, stride, blow)) losses.push_back({1.0, 1.0, 0.0});
   if (timing.struck) balance.last_struck = std::max(balance.last_struck, timing.end);
 }

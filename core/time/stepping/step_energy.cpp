@@ -19,14 +19,34 @@ void lose_in_landing(double energy, std::vector<StepLoss>& losses) {
   if (last != losses.rend()) last->energy += energy;
 }
 
+RigidMotion kept_of(const System& system, const StepComponent& part, const State& state) {
+  return kept_motion(momentum_of(system, state, part.cubes), part.fixed_normals);
+}
+
 }  // namespace
+
+double pay(const System& system,
+           const std::vector<StepComponent>& components,
+           double unpaid,
+           State& state) {
+  const auto take = [&](const StepComponent& part, const RigidMotion& kept) {
+    if (unpaid <= 0.0) return;
+    const double goal = energy_of(system, state, part.cubes) - unpaid;
+    unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept, goal, 1.0, state));
+  };
+  // What slides as a whole has no motion to pay with: others of the group do.
+  for (const StepComponent& part : components)
+    take(part, kept_of(system, part, state));
+  // Fixed bodies that rub take momentum along their sides, too.
+  for (const StepComponent& part : components) {
+    if (system.rubs && !part.fixed_normals.empty()) take(part, RigidMotion{});
+  }
+  return unpaid;
+}
 
 Rise restore_energy(
     const System& system, const Stride& stride, bool sways, StepRecord& record, State& end) {
   Rise rise;
-  const auto kept = [&](const StepComponent& part) {
-    return kept_motion(momentum_of(system, end, part.cubes), part.fixed_normals);
-  };
   for (StepComponent& part : record.components) {
     const double lost = sum_of(part.losses);
     const double goal = energy_of(system, stride.start, part.cubes) - lost;
@@ -35,7 +55,7 @@ Rise restore_energy(
     rise.sway += std::abs(missed);
     if (sways) continue;
     const double missing =
-        scale_to_energy(system, part.cubes, kept(part), goal, most_given_back, end);
+        scale_to_energy(system, part.cubes, kept_of(system, part, end), goal, most_given_back, end);
     const double kept_back = std::clamp(-missing, 0.0, lost);
     if (missing > 0.0) lose_in_landing(missing, part.losses);
     rise.unpaid += std::max(0.0, -missing - kept_back);
@@ -43,18 +63,7 @@ Rise restore_energy(
       if (kept_back > 0.0) loss.energy *= 1.0 - kept_back / lost;
     }
   }
-  const auto pay = [&](const StepComponent& part, const RigidMotion& kept_motion) {
-    if (rise.unpaid <= 0.0) return;
-    const double goal = energy_of(system, end, part.cubes) - rise.unpaid;
-    rise.unpaid = std::max(0.0, -scale_to_energy(system, part.cubes, kept_motion, goal, 1.0, end));
-  };
-  // What slides as a whole has no motion to pay with: others of the group do.
-  for (const StepComponent& part : record.components)
-    pay(part, kept(part));
-  // Fixed bodies that rub take momentum along their sides, too.
-  for (const StepComponent& part : record.components) {
-    if (system.rubs && !part.fixed_normals.empty()) pay(part, RigidMotion{});
-  }
+  rise.unpaid = pay(system, record.components, rise.unpaid, end);
   return rise;
 }
 

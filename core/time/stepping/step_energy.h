@@ -19,4 +19,10 @@ struct Rise {
 Rise restore_energy(
     const System& system, const Stride& stride, bool sways, StepRecord& record, State& end);
 
+/// Takes energy (J) that cubes have too much from what is in motion in these components; returns what none could pay for.
+double pay(const System& system,
+           const std::vector<StepComponent>& components,
+           double unpaid,
+           State& state);
+
 }  // namespace wuerfel

@@ -6,6 +6,7 @@
 
 #include "core/dynamics/momentum.h"
 #include "core/time/stepping/rattle_stepper.h"
+#include "core/time/stepping/step_energy.h"
 
 namespace wuerfel {
 namespace {
@@ -194,11 +195,12 @@ void StepLook::turn_on(const StepComponent& part, const State& from, double t, S
   turn(*system_, part.cubes, {now.center, Vec2::Zero(), spin}, state);
 }
 
-void StepLook::set_energy(const StepComponent& part,
-                          const State& from,
-                          const State& to,
-                          double share,
-                          State& state) const {
+/// Returns what a component has too much, J.
+double StepLook::set_energy(const StepComponent& part,
+                            const State& from,
+                            const State& to,
+                            double share,
+                            State& state) const {
   const double start = energy_of(*system_, from, part.cubes);
   double goal = start;
   double all = 0.0;
@@ -212,30 +214,30 @@ void StepLook::set_energy(const StepComponent& part,
     return scale_to_energy(*system_, part.cubes, kept, goal, most_scaled_up, state);
   };
   const auto kept = [&] { return kept_motion(momentum_of(*system_, state, part.cubes), normals); };
-  scale(kept());
+  double missing = scale(kept());
   if (system_->rubs && !normals.empty()) {
     // Fixed bodies that rub take momentum along their sides, too.
-    scale(RigidMotion{});
+    missing = scale(RigidMotion{});
   } else if (!system_->gravity.isZero(0.0)) {
     // A blow that was taken back has lifted cubes without the momentum that leads there, or lowered them.
     normals.push_back(-system_->gravity.normalized());
-    scale(kept());
+    missing = scale(kept());
   }
+  return std::max(0.0, -missing);
 }
 
-/// Cubes that pushed nothing in the step, and that a clean-up moved all the same.
+/// Cubes that pushed nothing in the step, and that a look moved from where they flew.
 std::vector<int> StepLook::flying(const StepRecord& record,
-                                  const std::vector<Contact>& cleaned) const {
-  std::vector<char> moved(system_->count(), 0);
-  for (const Contact& c : cleaned)
-    moved[c.on] = moved[c.from] = 1;
+                                  const State& flown,
+                                  const State& state) const {
+  std::vector<char> pushed(system_->count(), 0);
   for (const StepComponent& part : record.components) {
     for (const int cube : part.cubes)
-      moved[cube] = 0;
+      pushed[cube] = 1;
   }
   std::vector<int> cubes;
   for (int cube = 0; cube < system_->cubes; ++cube) {
-    if (moved[cube] != 0) cubes.push_back(cube);
+    if (pushed[cube] == 0 && flown[cube].position != state[cube].position) cubes.push_back(cube);
   }
   return cubes;
 }
@@ -254,14 +256,18 @@ State StepLook::at(
   if (pushed_out) state = uncleaned;
   if (pushed_out || removal_.left() > overlap_share) removal_.retreat(state);
   keep_turning(*system_, cleaned, uncleaned, state);
+  double too_much = 0.0;
   for (const StepComponent& part : record.components)
-    set_energy(part, from, to, share, state);
-  for (const int cube : flying(record, cleaned)) {
+    too_much += set_energy(part, from, to, share, state);
+  for (const int cube : flying(record, uncleaned, state)) {
     const std::array<int, 1> alone{cube};
     const double start = energy_of(*system_, from, alone);
     const double goal = start + share * (energy_of(*system_, to, alone) - start);
-    scale_to_energy(*system_, alone, RigidMotion{}, goal, most_scaled_up, state);
+    const double missing =
+        scale_to_energy(*system_, alone, RigidMotion{}, goal, most_scaled_up, state);
+    too_much += std::max(0.0, -missing);
   }
+  pay(*system_, record.components, too_much, state);
   return state;
 }
 

@@ -25,14 +25,15 @@ class StepLook {
                       const StepRecord& record,
                       State& state) const;
   void turn_on(const StepComponent& part, const State& from, double t, State& state) const;
-  void set_energy(const StepComponent& part,
-                  const State& from,
-                  const State& to,
-                  double share,
-                  State& state) const;
+  double set_energy(const StepComponent& part,
+                    const State& from,
+                    const State& to,
+                    double share,
+                    State& state) const;
 
   [[nodiscard]] std::vector<int> flying(const StepRecord& record,
-                                        const std::vector<Contact>& cleaned) const;
+                                        const State& flown,
+                                        const State& state) const;
 
   const System* system_;
   Workspace work_;

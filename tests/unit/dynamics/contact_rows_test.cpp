@@ -2,10 +2,12 @@
 #include "core/dynamics/contact_rows.h"
 
 #include <array>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/constraints/manifold.h"
+#include "core/dynamics/momentum.h"
 #include "tests/support/random_motion.h"
 
 namespace wuerfel::test {
@@ -104,6 +106,21 @@ TEST(ContactRows, OfAccelerationsAreTheSecondRates) {
     EXPECT_NEAR(p.value(p.row(Order::acceleration, true), true),
                 second_difference([&](double t) { return p.slid(t); }, 2e-3), 1e-6);
   }
+}
+
+TEST(ContactRows, AcrossAnOpenGapImpulsesWorkOnTheSlideOfTheirRows) {
+  // What a program says of a tangential impulse is what the impulse does: the side's body is met where the corner is.
+  RandomNumbers random(5);
+  const Pair pair(random);
+  State state = pair.at(0.0);
+  state[1].position += 0.05 * pair.contact.normal;
+  const std::array<Box, 2> boxes = {pair.box(state, 0), pair.box(state, 1)};
+  const Contact c = at_poses(pair.system, boxes, pair.contact);
+  ASSERT_NEAR(c.gap, 0.05, 1e-12);
+  const double slide = relative_velocity(pair.system, state, c).dot(perp(c.normal));
+  EXPECT_NEAR(slip_rate(pair.system, state, c), slide, 1e-13);
+  // Without the gap's share they would not be the same.
+  EXPECT_GT(std::abs(state[0].spin), 0.1);
 }
 
 TEST(ContactRows, OfPositionsBeginAtTheGapAndAtNoSlide) {

@@ -80,6 +80,28 @@ TEST(EquationsOfMotion, FrictionDrivesWhatSlipsAndIsHeldDown) {
   EXPECT_TRUE(e.equations.friction_drives(1e-9));
 }
 
+TEST(EquationsOfMotion, ContactsContradictWhereWhatCarriesAPlankTurns) {
+  // A plank on three cubes that slide along the floor: two of them would do.
+  Scene scene = on_floor({cube("a", {-2.0, 0.5}), cube("b", {0.0, 0.5}), cube("c", {2.0, 0.5}),
+                          cube("plank", {0.0, 1.5})});
+  scene.planes[0].material.friction = 0.25;
+  for (SceneCube& c : scene.cubes) {
+    c.material.friction = 1.0;
+    c.velocity = {2.0, 0.0};
+  }
+  scene.cubes.back().size = {6.0, 1.0};
+  Evaluated e(scene);
+  EXPECT_TRUE(e.equations.redundant());
+  EXPECT_FALSE(e.equations.contradict());
+  // The top of what turns on the floor falls by omega^2.
+  State turning = e.b.now.state;
+  turning[1].spin = 0.1;
+  std::vector<double> y;
+  pack(turning, y);
+  e.equations(y, e.rate);
+  EXPECT_TRUE(e.equations.contradict());
+}
+
 TEST(EquationsOfMotion, ARodKeepsItsLengthToSecondOrder) {
   // A pendulum at 30 degrees from below, turning at 2 rad/s: -g sin across, v^2 / l along the rod.
   Scene scene;

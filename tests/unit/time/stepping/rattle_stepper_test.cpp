@@ -2,6 +2,7 @@
 #include "core/time/stepping/rattle_stepper.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,32 @@ TEST(RattleStepper, FreeFlightIsAParabola) {
   EXPECT_LT(s.taken.error, 1e-14);
   EXPECT_EQ(s.taken.book.cost.qp_solves, 0);
   EXPECT_TRUE(s.taken.record->impulses.empty());
+}
+
+TEST(RattleStepper, WhatEnergyWasAstrayByIsPaidBack) {
+  Scene scene = collision();
+  for (SceneCube& c : scene.cubes)
+    c.material.restitution = 1.0;
+  const Mechanism m(scene);
+  RattleStepper stepper(m.system, {}, 1e-4);
+  stepper.begin(m.state);
+  State faster = m.state;
+  faster[0].velocity.x() = 1.01;
+  EXPECT_NEAR(kinetic_energy(m.system, stepper.step(faster, 0.0, h).state), 0.5, 1e-14);
+}
+
+TEST(RattleStepper, WhatIsHaltedStandsWhereItWasAndHasLostItsMotion) {
+  Stepped s(collision());
+  const Step halted = s.stepper.halt(std::move(s.taken), 2.0);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(halted.state[i].position, s.m.state[i].position);
+    EXPECT_TRUE(is_still(halted.state[i]));
+  }
+  ASSERT_EQ(halted.book.losses.size(), 1U);
+  EXPECT_EQ(halted.book.losses[0].energy, 0.5);
+  EXPECT_TRUE(halted.book.events.empty());
+  EXPECT_EQ(halted.rise.unpaid, 0.0);
+  EXPECT_NEAR(halted.book.settled.linear.x(), -1.0, 1e-15);
 }
 
 TEST(RattleStepper, TheGroundCarriesTheWeight) {

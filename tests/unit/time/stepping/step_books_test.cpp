@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/time/stepping/step_energy.h"
 #include "tests/support/landing_cube.h"
 
 namespace wuerfel::test {
@@ -45,6 +46,16 @@ TEST(StepBooks, WhatLandsSlowlyActsAndLosesFromThenOn) {
   EXPECT_NEAR(loss.by(0.6), 0.5 * loss.energy, 1e-14);
   EXPECT_EQ(loss.by(0.1), 0.0);
   EXPECT_EQ(loss.by(1.0), loss.energy);
+}
+
+TEST(StepBooks, WhatOpensAtFirstAndActsAllTheSameHasLanded) {
+  // It loses nothing by its own work; what the step misses beyond is its loss, and no drift.
+  LandingCube landing;
+  landing.stride.start[0].velocity = {0.0, 0.4};
+  StepRecord record = record_of(landing.system(), landing.stride, landing.end);
+  EXPECT_EQ(sum_of(record.components[0].losses), 0.0);
+  restore_energy(landing.system(), landing.stride, false, record, landing.end);
+  EXPECT_NEAR(sum_of(record.components[0].losses), 0.08, 1e-15);
 }
 
 TEST(StepBooks, WhatBouncesActsAtOnce) {
