@@ -90,14 +90,14 @@ constexpr std::array<Term, 8> stage_16 = {{{0, -4.28896301583791923408573538692e
                                            {12, -1.39902416515901462129418009734e-3},
                                            {13, 2.9475147891527723389556272149e0},
                                            {14, -9.15095847217987001081870187138e0}}};
-constexpr std::array<Term, 8> weights = {{{0, 5.42937341165687622380535766363e-2},
-                                          {5, 4.45031289275240888144113950566},
-                                          {6, 1.89151789931450038304281599044},
-                                          {7, -5.8012039600105847814672114227},
-                                          {8, 3.1116436695781989440891606237e-1},
-                                          {9, -1.52160949662516078556178806805e-1},
-                                          {10, 2.01365400804030348374776537501e-1},
-                                          {11, 4.47106157277725905176885569043e-2}}};
+constexpr std::array<Term, 8> eighth_order = {{{0, 5.42937341165687622380535766363e-2},
+                                               {5, 4.45031289275240888144113950566},
+                                               {6, 1.89151789931450038304281599044},
+                                               {7, -5.8012039600105847814672114227},
+                                               {8, 3.1116436695781989440891606237e-1},
+                                               {9, -1.52160949662516078556178806805e-1},
+                                               {10, 2.01365400804030348374776537501e-1},
+                                               {11, 4.47106157277725905176885569043e-2}}};
 constexpr std::array<Term, 8> error_5 = {{{0, 0.1312004499419488073250102996e-1},
                                           {5, -0.1225156446376204440720569753e1},
                                           {6, -0.4957589496572501915214079952},
@@ -155,7 +155,7 @@ constexpr std::array<Term, 12> dense_7 = {{{0, -0.25693933462703749003312586129e
                                            {14, -0.39177261675615439165231486172e2},
                                            {15, -0.14972683625798562581422125276e3}}};
 
-// The third-order estimate: weights less these.
+// The third-order estimate: eighth_order less these.
 constexpr std::array<Term, 3> third_order = {{{0, 0.244094488188976377952755905512},
                                               {8, 0.733846688281611857341361741547},
                                               {11, 0.220588235294117647058823529412e-1}}};
@@ -232,18 +232,18 @@ const std::vector<double>& Dop853::stage_state(int i, const std::vector<double>&
 
 constinit const std::array<double, Dop853::stages> Dop853::stage_weights = [] {
   std::array<double, stages> all{};
-  for (const Term& term : weights)
+  for (const Term& term : eighth_order)
     all[term.stage] = term.factor;
   return all;
 }();
 
-void Dop853::end(const std::vector<double>& y) { combine(weights, k_, y, h_, next_); }
+void Dop853::end(const std::vector<double>& y) { combine(eighth_order, k_, y, h_, next_); }
 
 double Dop853::error(const std::vector<double>& scale) const {
   double worst = 0.0;
   for (std::size_t i = 0; i < scale.size(); ++i) {
     const double fifth = sum(error_5, k_, i) / scale[i];
-    const double third = (sum(weights, k_, i) - sum(third_order, k_, i)) / scale[i];
+    const double third = (sum(eighth_order, k_, i) - sum(third_order, k_, i)) / scale[i];
     const double both = fifth * fifth + 0.01 * third * third;
     if (both > 0.0) worst = std::max(worst, fifth * fifth / std::sqrt(both));
     if (!std::isfinite(both)) return both;
