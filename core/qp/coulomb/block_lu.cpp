@@ -142,6 +142,8 @@ WUERFEL_CLONES bool BlockLu::factorise() {
 WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
   for (int j = 0; j < pattern_.blocks; ++j) {
     const Quad z = v[j];
+    // Of a single contact most blocks are not reached.
+    if (z.v[0] == 0.0 && z.v[1] == 0.0 && z.v[2] == 0.0) continue;
     for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {
       const Quad* L = lower_.data() + 3 * q;
       Quad t = v[pattern_.row[q]];

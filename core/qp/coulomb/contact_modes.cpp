@@ -49,19 +49,6 @@ double largest_force(const ContactForm& form, const std::vector<Pair>& l) {
   return force;
 }
 
-void go_on(const ContactForm& form,
-           const std::vector<Pair>& start,
-           double times,
-           double most,
-           std::vector<Pair>& l) {
-  std::vector<Pair> way = l;
-  for (std::size_t i = 0; i < way.size(); ++i)
-    way[i] = {l[i].n - start[i].n, l[i].t - start[i].t};
-  times = std::min(times, most / largest_force(form, way));
-  for (std::size_t i = 0; i < way.size(); ++i)
-    l[i] = {l[i].n + times * way[i].n, l[i].t + times * way[i].t};
-}
-
 double missed_by(const ContactForm& form,
                  const std::vector<ContactMode>& modes,
                  const ContactPoint& point) {
@@ -169,11 +156,12 @@ void ModeSystem::solve(const ContactForm& form,
 void ModeSystem::solve_again(const ContactForm& form,
                              const std::vector<Pair>& r,
                              const std::vector<Quad>& u,
-                             int unit) {
+                             int unit,
+                             double balance) {
   const Pair& rows = step_.Gdy[unit];
   terms_.correct(form, {r[unit].n - rows.n, r[unit].t - rows.t}, step_.dy);
   find_forces(form, r);
-  refine(form, r, u, fine_balance);
+  refine(form, r, u, balance);
 }
 
 void ModeSystem::refine(const ContactForm& form,

@@ -49,12 +49,6 @@ struct ContactPoint {
 
 /// The largest of these forces, normal or tangential.
 double largest_force(const ContactForm& form, const std::vector<Pair>& l);
-/// Moves forces on along their way from `start`, so many times its length, but none by more than `most`.
-void go_on(const ContactForm& form,
-           const std::vector<Pair>& start,
-           double times,
-           double most,
-           std::vector<Pair>& l);
 /// What rows in force miss, relative to the largest velocity.
 double missed_by(const ContactForm& form,
                  const std::vector<ContactMode>& modes,
@@ -99,7 +93,8 @@ class ModeSystem {
   void solve_again(const ContactForm& form,
                    const std::vector<Pair>& r,
                    const std::vector<Quad>& u,
-                   int unit);
+                   int unit,
+                   double balance = fine_balance);
   void move(double length, ContactPoint& point) const { point.move(length, step_); }
   [[nodiscard]] const std::vector<Pair>& dl() const { return step_.dl; }
   [[nodiscard]] const std::vector<Pair>& Gdy() const { return step_.Gdy; }

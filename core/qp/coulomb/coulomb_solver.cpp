@@ -11,7 +11,6 @@ namespace {
 
 constexpr int known_factorisations = 12;   ///< of newton from remembered modes
 constexpr int guessed_factorisations = 4;  ///< from none
-constexpr double soft_delta = 1e-2;        ///< from which wrong modes do no harm
 constexpr double apart_share = 1e-6;       ///< of the largest velocity
 constexpr int interior_seeds = 8;
 constexpr int crossing_seeds = 3;  ///< that are tried across folds as well
@@ -24,11 +23,10 @@ struct InteriorTry {
   double spread;
   Folds folds;
 };
-constexpr std::array tries_of_many{
-    InteriorTry{0.0, Folds::cross}, InteriorTry{1.0, Folds::go_back},
-    InteriorTry{1.5, Folds::cross}, InteriorTry{2.0, Folds::go_back},
-    InteriorTry{0.5, Folds::cross}, InteriorTry{0.0, Folds::go_back}};
-constexpr std::size_t unsure_tries_of_many = 3;
+constexpr std::array tries_of_many{InteriorTry{0.0, Folds::cross}, InteriorTry{1.0, Folds::go_back},
+                                   InteriorTry{0.5, Folds::cross},
+                                   InteriorTry{2.0, Folds::go_back}};
+constexpr std::size_t unsure_tries_of_many = 2;
 constexpr int most_pivoted = 120;  ///< contacts of programs that are followed with pivoting
 
 bool any_slides(const FrictionProgram& friction) {
@@ -87,7 +85,7 @@ struct CoulombSolver::Work {
             std::span<const std::uint64_t> keys,
             CoulombResult& result);
   bool insist(const FrictionProgram& friction, CoulombResult& result);
-  bool try_all(const FrictionProgram& friction, bool exists, CoulombResult& result);
+  bool try_all(const FrictionProgram& friction, CoulombResult& result);
 
   CoulombStages stages;
   ContactMemory memory;
@@ -170,27 +168,25 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
 /// What is dear, and hardly ever needed beyond the first interior point, which has to do where nothing has helped for some time:
 /// of some mass ratios beside large coefficients of friction solutions have no more digits.
 bool CoulombSolver::Work::insist(const FrictionProgram& friction, CoulombResult& result) {
-  const bool exists = may_stand(friction);
-  const bool solved = missed < most_missed || !exists
-                          ? try_all(friction, exists, result)
+  stages.solvable = may_stand(friction);
+  const bool solved = missed < most_missed || !stages.solvable
+                          ? try_all(friction, result)
                           : stages.interior(friction, 0.0, 0, Folds::go_back, result);
-  if (exists) missed = solved ? 0 : missed + 1;
+  if (stages.solvable) missed = solved ? 0 : missed + 1;
   return solved;
 }
 
 /// Where no solution need exist (restitution, of which less is asked then) what is dearest is left out.
-bool CoulombSolver::Work::try_all(const FrictionProgram& friction,
-                                  bool exists,
-                                  CoulombResult& result) {
+bool CoulombSolver::Work::try_all(const FrictionProgram& friction, CoulombResult& result) {
   const auto seed = static_cast<std::uint64_t>(friction.contacts.size());
   if (friction.contacts.size() > most_from_open) {
-    const std::size_t tries = exists ? tries_of_many.size() : unsure_tries_of_many;
+    const std::size_t tries = stages.solvable ? tries_of_many.size() : unsure_tries_of_many;
     return std::ranges::any_of(std::span(tries_of_many).first(tries),
                                [&, k = seed](const InteriorTry& t) mutable {
                                  return stages.interior(friction, t.spread, k++, t.folds, result);
                                });
   }
-  const int seeds = exists ? interior_seeds : unsure_seeds;
+  const int seeds = stages.solvable ? interior_seeds : unsure_seeds;
   for (int k = 0; k < seeds; ++k) {
     const double spread = k == 0 ? 0.0 : 0.5 + 0.5 * k;
     if (stages.interior(friction, spread, seed + k, Folds::go_back, result)) return true;
@@ -200,7 +196,7 @@ bool CoulombSolver::Work::try_all(const FrictionProgram& friction,
   stages.take(result.multiplier);
   if (stages.follow(friction, PathStart::here, seed, Pivoting::none, result)) return true;
   if (stages.follow(friction, PathStart::open, seed, Pivoting::none, result)) return true;
-  if (!exists) return false;
+  if (!stages.solvable) return false;
   for (int k = 1; k <= lemke_seeds && friction.contacts.size() <= most_pivoted; ++k) {
     if (stages.follow(friction, PathStart::open, seed + 7919U * k, Pivoting::full, result))
       return true;

@@ -17,17 +17,11 @@ constexpr int most_hopeless_steps = 2;  ///< of newton without compliance
 constexpr double crossing_goal = 1e-6;  ///< likewise, where damping leaves rows behind
 constexpr double large_delta = 1e-4;    ///< of settling at first
 constexpr int settling_factorisations = 100;
-constexpr double near_margin = 1e-9;
-constexpr double near_velocity_margin = 1e-4;  ///< times the compliance
-constexpr double near_delta_fall = 0.1;
-constexpr int near_crossings = 100;  ///< at most, and one more for so many units
-constexpr int units_per_near_crossing = 8;
-constexpr double leap_delta = 3e-8;  ///< below it K has lost its digits: G' l differs from y
-constexpr int most_leaping_steps = 30;
-constexpr double hardly_nearer = 0.9;  ///< of what rows miss that a step leaves
-constexpr double leap_growth = 10.0;
-constexpr double most_leap_force = 1e4;     ///< by which a leap changes forces, in weights
-constexpr double most_leap_misses = 100.0;  ///< times what was missed before
+constexpr int near_crossings = 100;  ///< of paths that settle, at most, and so many more for a unit
+constexpr int crossings_per_near_unit = 4;
+constexpr int most_near_crossings = 6000;
+constexpr double most_leap_force =
+    1e4;  ///< by which a step changes forces where nothing resists, in weights
 constexpr double short_margin = 1e-6;
 constexpr int most_short_crossings = 50;
 constexpr int most_crossed_units = 200;  ///< beyond them it costs as much as an interior step
@@ -44,6 +38,7 @@ CoulombStages::CoulombStages(const CoulombSettings& settings)
 void CoulombStages::prepare(const FrictionProgram& friction) {
   scales_ = judge_.measure_scales(friction.program);
   form_.prepare(friction, scales_);
+  solvable = true;
 }
 
 void CoulombStages::forget() {
@@ -136,7 +131,7 @@ bool CoulombStages::follow_shortly(const FrictionProgram& friction, CoulombResul
       form_, modes, point, centre, 0,
       {.delta = path_delta, .most_crossings = most_short_crossings, .margin = short_margin});
   result.crossings += outcome.crossings;
-  return outcome.arrived && settle(friction, CoulombStage::newton, result);
+  return outcome.arrived && harden(friction, large_delta, CoulombStage::newton, result);
 }
 
 bool CoulombStages::relax(const FrictionProgram& friction, CoulombResult& result) {
@@ -170,7 +165,9 @@ bool CoulombStages::interior(const FrictionProgram& friction,
   result.factorisations += outcome.factorisations;
   find_modes();
   if (judge_point(friction, CoulombStage::interior, result)) return true;
-  return outcome.worst < worth_settling && settle(friction, CoulombStage::interior, result);
+  if (outcome.worst < worth_settling) return settle(friction, CoulombStage::interior, result);
+  return solvable && friction.contacts.size() <= most_from_open
+         && approach(friction, soft_delta, CoulombStage::interior, result);
 }
 
 bool CoulombStages::follow(const FrictionProgram& friction,
@@ -201,65 +198,39 @@ bool CoulombStages::follow(const FrictionProgram& friction,
   return false;
 }
 
-/// From a point that is nearly right to one that is: by Newton's method, and where that goes round in circles by a path. The
-/// second kind of path is dearer than another interior point.
+/// From a point that is nearly right to one that is: by Newton's method, and where that goes round in circles by paths.
 bool CoulombStages::settle(const FrictionProgram& friction,
                            CoulombStage stage,
                            CoulombResult& result) {
   const std::vector<ContactMode> kept_modes = modes;
   const ContactPoint kept_point = point;
-  if (harden(friction, large_delta, stage, result)) return true;
-  for (const NearSteps steps : {NearSteps::leap, NearSteps::stiffen}) {
-    if (steps == NearSteps::stiffen && stage == CoulombStage::interior) break;
+  bool settled = harden(friction, large_delta, stage, result);
+  if (!settled) {
     modes = kept_modes;
     point = kept_point;
-    if (follow_near(friction, steps, stage, result)) return true;
+    settled = approach(friction, large_delta, stage, result);
   }
-  modes = kept_modes;
-  point = kept_point;
-  return false;
+  if (!settled) {
+    modes = kept_modes;
+    point = kept_point;
+  }
+  return settled;
 }
 
-/// Proximal steps, each by a path that is short: the point is moved by no more than it misses. Where rows contradict one
-/// another by that little each moves forces along a state of self-stress by as much. Either compliance is taken away on and
-/// on, or, where it is small already and a step hardly got nearer, the next one leaps along it, farther and farther, until
-/// rows miss much more than before.
-bool CoulombStages::follow_near(const FrictionProgram& friction,
-                                NearSteps steps,
-                                CoulombStage stage,
-                                CoulombResult& result) {
-  const bool leaping = steps == NearSteps::leap;
-  const double least_delta = leaping ? leap_delta : least_path_delta;
-  std::vector<Pair> centre = point.l;
-  double leap = 1.0;  // steps at once
-  double former = unbounded;
-  ModePathEffort effort{.delta = path_delta,
-                        .most_crossings = near_crossings + form_.count() / units_per_near_crossing,
-                        .margin = near_margin};
-  for (int k = 0; k < (leaping ? most_leaping_steps : most_proximal_steps); ++k) {
-    effort.velocity_margin = near_velocity_margin * effort.delta;
-    const std::vector<Pair> start = point.l;
-    const auto seed = static_cast<std::uint64_t>(k);
-    const ModePathOutcome outcome = mode_path_.run(form_, modes, point, centre, seed, effort);
-    result.crossings += outcome.crossings;
-    effort.most_crossings -= outcome.crossings;
-    if (!outcome.arrived) return false;
-    if (judge_point(friction, stage, result)) return true;
-    centre = point.l;
-    const bool leapt = effort.most_missed < unbounded;
-    const double missed = missed_by(form_, modes, point);
-    const bool leaps =
-        leaping && effort.delta == leap_delta && !leapt && missed > hardly_nearer * former;
-    if (leaps) {
-      leap *= leap_growth;
-      go_on(form_, start, leap, most_leap_force * scales_.weight, centre);
-    }
-    effort.most_missed =
-        leaps ? std::max(most_leap_misses * missed, settings_.tolerance) : unbounded;
-    former = leapt ? unbounded : missed;
-    effort.delta = std::max(near_delta_fall * effort.delta, least_delta);
-  }
-  return false;
+bool CoulombStages::approach(const FrictionProgram& friction,
+                             double delta,
+                             CoulombStage stage,
+                             CoulombResult& result) {
+  proximal_path_.begin(
+      point, {.delta = delta,
+              .most_crossings = std::min(near_crossings + crossings_per_near_unit * form_.count(),
+                                         most_near_crossings),
+              .most_force = most_leap_force * scales_.weight});
+  bool right = false;
+  while (!right && proximal_path_.step(form_, modes, point))
+    right = judge_point(friction, stage, result);
+  result.crossings += proximal_path_.crossings();
+  return right;
 }
 
 bool CoulombStages::judge_point(const FrictionProgram& friction,

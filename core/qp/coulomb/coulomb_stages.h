@@ -11,6 +11,7 @@
 #include "core/qp/coulomb/coulomb_solver.h"
 #include "core/qp/coulomb/mode_newton.h"
 #include "core/qp/coulomb/mode_path.h"
+#include "core/qp/coulomb/proximal_path.h"
 
 namespace wuerfel {
 
@@ -18,6 +19,7 @@ namespace wuerfel {
 enum class PathStart { here, open };
 /// Contacts of programs for which the path from open is not too long.
 inline constexpr std::size_t most_from_open = 600;
+inline constexpr double soft_delta = 1e-2;  ///< compliance from which wrong modes do no harm
 
 class CoulombStages {
  public:
@@ -59,16 +61,16 @@ class CoulombStages {
 
   std::vector<ContactMode> modes;  ///< from which stages start, and where they end
   ContactPoint point;              ///< likewise
+  bool solvable = true;  ///< whether a solution is known to exist: less is spent where not
 
  private:
   [[nodiscard]] bool rows_hold() const;
   [[nodiscard]] ModeNewtonEffort newton_effort(double delta, int most_factorisations) const;
   bool settle(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
-  enum class NearSteps { leap, stiffen };
-  bool follow_near(const FrictionProgram& friction,
-                   NearSteps steps,
-                   CoulombStage stage,
-                   CoulombResult& result);
+  bool approach(const FrictionProgram& friction,
+                double delta,
+                CoulombStage stage,
+                CoulombResult& result);
   bool accept(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   bool judge_point(const FrictionProgram& friction, CoulombStage stage, CoulombResult& result);
   void find_modes();
@@ -81,6 +83,7 @@ class CoulombStages {
   ModeNewton mode_newton_;
   ConeInteriorPoint cone_interior_;
   ModePath mode_path_;
+  ProximalPath proximal_path_;
   std::vector<Pair> cone_;
   std::vector<double> x_, multiplier_;
 };

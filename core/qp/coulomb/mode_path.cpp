@@ -6,6 +6,12 @@
 #include "core/qp/coulomb/dice.h"
 
 namespace wuerfel {
+namespace {
+
+/// Share of dy by which tangents may be out of balance: `correct` takes it away.
+constexpr double tangent_balance = 1e-8;
+
+}  // namespace
 
 ModePathOutcome ModePath::run(ContactForm& form,
                               std::vector<ContactMode>& modes,
@@ -117,7 +123,7 @@ void ModePath::find_tangent(const ContactForm& form, ContactPoint& point) {
   for (std::size_t i = 0; i < r_.size(); ++i)
     rhs_[i] = {-r_[i].n, -r_[i].t};
   unbalance_.assign(point.y.size(), Quad{});
-  system_.solve(form, rhs_, unbalance_);
+  system_.solve(form, rhs_, unbalance_, tangent_balance);
 }
 
 /// How fast what became free at the last crossing grows while t falls.
@@ -165,28 +171,6 @@ Crossing ModePath::next_crossing(const ContactForm& form,
   return first;
 }
 
-/// How far the path goes until rows in force miss `most`.
-double ModePath::longest_step(const ContactForm& form,
-                              const std::vector<ContactMode>& modes,
-                              const ContactPoint& point,
-                              double direction,
-                              double most) const {
-  Crossing first;
-  const auto miss = [&](double rest, double grows, double scale, int i) {
-    const double sign = grows > 0.0 ? 1.0 : -1.0;
-    first.meet(most - sign * rest * scale, -sign * grows * scale, i, modes[i]);
-  };
-  for (int i = 0; i < form.count() && most < unbounded; ++i) {
-    const ContactUnit& unit = form.units()[i];
-    const Pair& rate = system_.Gdy()[i];
-    if (modes[i] != ContactMode::open)
-      miss(point.rest[i].n, -direction * rate.n, unit.per_velocity.n, i);
-    if (modes[i] == ContactMode::stick)
-      miss(point.rest[i].t, -direction * rate.t, unit.per_velocity.t, i);
-  }
-  return first.step;
-}
-
 /// The system and the tangent of the piece that the path has come to by the new mode of `unit`; of the first one: -1.
 bool ModePath::enter(ContactForm& form,
                      const std::vector<ContactMode>& modes,
@@ -197,7 +181,7 @@ bool ModePath::enter(ContactForm& form,
                                 : system_.change(form, modes, unit);
   if (!regular) return false;
   if (system_.updated()) {
-    system_.solve_again(form, rhs_, unbalance_, unit);
+    system_.solve_again(form, rhs_, unbalance_, unit, tangent_balance);
   } else {
     correct(form, modes, point);
     find_tangent(form, point);
@@ -213,29 +197,30 @@ ModePathOutcome ModePath::follow(ContactForm& form,
   double direction = 1.0;  // of -t
   Crossing crossing;
   ContactMode from = ContactMode::open;
+  const std::vector<ContactMode> first = modes;
+  int apart = 0;  // units whose mode is not that of the first piece
   while (true) {
     if (!enter(form, modes, effort, crossing.unit, point)) return outcome;
     if (crossing.unit >= 0)
       direction = entering_rate(form, from, crossing.to, crossing.unit) >= 0.0 ? 1.0 : -1.0;
     crossing = next_crossing(form, modes, point, direction);
     outcome.arrived = direction > 0.0 && crossing.step >= t_;
-    double step = outcome.arrived ? t_ : crossing.step;
-    const double most = longest_step(form, modes, point, direction, effort.most_missed);
-    outcome.arrived = outcome.arrived || most < step;
     if (outcome.arrived) {
-      step = std::min(step, most);
-      system_.move(direction * step, point);
-      t_ -= direction * step;
+      system_.move(t_, point);
+      t_ = 0.0;
       if (system_.updated()) correct(form, modes, point);
       return outcome;
     }
     outcome.ray = crossing.unit < 0;
-    if (outcome.ray || outcome.crossings == effort.most_crossings) return outcome;
+    if (outcome.ray || outcome.crossings == effort.most_crossings || t_ > effort.farthest)
+      return outcome;
     ++outcome.crossings;
     system_.move(direction * crossing.step, point);
     t_ -= direction * crossing.step;
     from = modes[crossing.unit];
     modes[crossing.unit] = crossing.to;
+    apart += (from == first[crossing.unit] ? 1 : 0) - (crossing.to == first[crossing.unit] ? 1 : 0);
+    if (apart == 0) return outcome;
     follow_mode(form.units()[crossing.unit], crossing.to, point.l[crossing.unit]);
   }
 }

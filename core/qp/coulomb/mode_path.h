@@ -3,7 +3,8 @@
 /// The law with compliance (ModeSystem) is F(z) = 0 with F piecewise linear, one piece for each set
 /// of modes. From a point with F(z) = r the path F(z) = t r is followed from piece to piece, one
 /// contact changing its mode at each crossing, until t = 0; where det K changes its sign t turns
-/// back and the path goes on. [Katzenelson 1965] [Eaves 1976]
+/// back and the path goes on. A path that comes back to its first piece is closed and goes nowhere. [Katzenelson 1965] [Eaves
+/// 1976]
 ///
 /// From far away with all contacts open it is Lemke's method on the program of
 /// [Anitescu, Potra 1997], and always arrives: a ray of it would have |G'l|^2 + d |l|^2 <= 0.
@@ -24,11 +25,11 @@ struct ModePathEffort {
   /// velocity. What is moved in velocities costs forces of the share over delta.
   double margin = 1e-3;
   double velocity_margin = 1e-3;
-  double most_missed = unbounded;  ///< by rows in force, relative to the largest velocity
+  double farthest = unbounded;  ///< t, at which the path is given up
 };
 
 struct ModePathOutcome {
-  bool arrived = false;  ///< at t = 0, or where rows miss as much as they may
+  bool arrived = false;  ///< at t = 0
   bool ray = false;      ///< the path goes on for ever
   int crossings = 0;
 };
@@ -73,11 +74,6 @@ class ModePath {
                                        const std::vector<ContactMode>& modes,
                                        const ContactPoint& point,
                                        double direction) const;
-  [[nodiscard]] double longest_step(const ContactForm& form,
-                                    const std::vector<ContactMode>& modes,
-                                    const ContactPoint& point,
-                                    double direction,
-                                    double most) const;
 
   ModeSystem system_;
   double delta_ = 0.0;

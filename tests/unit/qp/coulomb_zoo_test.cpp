@@ -56,6 +56,20 @@ TEST(CoulombZoo, EveryAnswerSatisfiesTheLaw) {
   }
 }
 
+TEST(CoulombZoo, PilesThatTumbleWithStrongFriction) {
+  // What interior points came no nearer than 1e-2 to.
+  for (const auto& [seed, mu] : {std::pair{2U, 2.0}, {4U, 2.0}, {5U, 1.5}, {6U, 2.0}, {12U, 2.0}}) {
+    FrictionOptions options{.mu = mu, .tumble = true};
+    options.zoo.seed = seed;
+    const FrictionCase c = friction_pile(100, options);
+    CoulombSolver solver;
+    CoulombResult result;
+    solver.solve(c.view(), result);
+    EXPECT_EQ(result.status, QpStatus::optimal) << seed;
+    EXPECT_LE(worst(c, result), exact) << seed;
+  }
+}
+
 TEST(CoulombZoo, EnergyNeverRises) {
   const auto energy = [](const QuadraticProgram& p, const std::vector<double>& x) {
     double sum = 0.0;
