@@ -3,8 +3,8 @@
 /// The law with compliance (ModeSystem) is F(z) = 0 with F piecewise linear, one piece for each set
 /// of modes. From a point with F(z) = r the path F(z) = t r is followed from piece to piece, one
 /// contact changing its mode at each crossing, until t = 0; where det K changes its sign t turns
-/// back and the path goes on. A path that comes back to its first piece is closed and goes nowhere. [Katzenelson 1965] [Eaves
-/// 1976]
+/// back and the path goes on. [Katzenelson 1965] [Eaves 1976] A path that comes back to its first piece is closed and goes
+/// nowhere.
 ///
 /// From far away with all contacts open it is Lemke's method on the program of
 /// [Anitescu, Potra 1997], and always arrives: a ray of it would have |G'l|^2 + d |l|^2 <= 0.
