@@ -17,8 +17,8 @@ constexpr int crossing_seeds = 3;  ///< that are tried across folds as well
 constexpr int unsure_seeds = 4;    ///< where no solution need exist
 constexpr int lemke_seeds = 3;
 constexpr int most_missed = 5;  ///< programs in a row, after which one interior point is tried
-/// How interior points of large programs, whose paths fold in many places at once, start and pass folds. Half of what one misses
-/// the others find; paths of pieces find next to nothing.
+/// How interior points of large programs, whose paths fold in many places at once, start and pass folds. The first one is nearly
+/// always enough.
 struct InteriorTry {
   double spread;
   Folds folds;

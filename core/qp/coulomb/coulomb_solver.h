@@ -6,7 +6,8 @@
 ///     newton        from the modes remembered, or what would meet sticking; with more compliance; by a short path
 ///     convex        the convex relaxation, where it happens to satisfy the exact law; then newton
 ///                   from its modes; not asked where something slipped in the modes remembered
-///     interior      the interior point method on the exact law, several times; newton from its modes
+///     interior      the interior point method on the exact law, several times; from there newton, or
+///                   proximal steps along piecewise linear paths
 ///     path          the piecewise linear path from the point that is best so far
 ///     lemke         the path from all contacts open, which always arrives but for rounding; three
 ///                   covering vectors

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/qp/coulomb/dice.h"
 
@@ -10,6 +11,21 @@ namespace {
 
 /// Share of dy by which tangents may be out of balance: `correct` takes it away.
 constexpr double tangent_balance = 1e-8;
+
+class FirstPiece {
+ public:
+  explicit FirstPiece(std::vector<ContactMode> modes) : modes_(std::move(modes)) {}
+  /// Takes note of the new mode of a unit; true where all modes are those of the first piece again.
+  bool is_back(int unit, ContactMode from, ContactMode to) {
+    if (from == modes_[unit]) ++apart_;
+    if (to == modes_[unit]) --apart_;
+    return apart_ == 0;
+  }
+
+ private:
+  std::vector<ContactMode> modes_;
+  int apart_ = 0;  ///< units whose modes differ
+};
 
 }  // namespace
 
@@ -189,6 +205,15 @@ bool ModePath::enter(ContactForm& form,
   return true;
 }
 
+/// On the last piece.
+void ModePath::arrive(const ContactForm& form,
+                      const std::vector<ContactMode>& modes,
+                      ContactPoint& point) {
+  system_.move(t_, point);
+  t_ = 0.0;
+  if (system_.updated()) correct(form, modes, point);
+}
+
 ModePathOutcome ModePath::follow(ContactForm& form,
                                  std::vector<ContactMode>& modes,
                                  ContactPoint& point,
@@ -197,8 +222,7 @@ ModePathOutcome ModePath::follow(ContactForm& form,
   double direction = 1.0;  // of -t
   Crossing crossing;
   ContactMode from = ContactMode::open;
-  const std::vector<ContactMode> first = modes;
-  int apart = 0;  // units whose mode is not that of the first piece
+  FirstPiece first(modes);
   while (true) {
     if (!enter(form, modes, effort, crossing.unit, point)) return outcome;
     if (crossing.unit >= 0)
@@ -206,9 +230,7 @@ ModePathOutcome ModePath::follow(ContactForm& form,
     crossing = next_crossing(form, modes, point, direction);
     outcome.arrived = direction > 0.0 && crossing.step >= t_;
     if (outcome.arrived) {
-      system_.move(t_, point);
-      t_ = 0.0;
-      if (system_.updated()) correct(form, modes, point);
+      arrive(form, modes, point);
       return outcome;
     }
     outcome.ray = crossing.unit < 0;
@@ -219,8 +241,7 @@ ModePathOutcome ModePath::follow(ContactForm& form,
     t_ -= direction * crossing.step;
     from = modes[crossing.unit];
     modes[crossing.unit] = crossing.to;
-    apart += (from == first[crossing.unit] ? 1 : 0) - (crossing.to == first[crossing.unit] ? 1 : 0);
-    if (apart == 0) return outcome;
+    if (first.is_back(crossing.unit, from, crossing.to)) return outcome;
     follow_mode(form.units()[crossing.unit], crossing.to, point.l[crossing.unit]);
   }
 }

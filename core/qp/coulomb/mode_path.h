@@ -64,6 +64,7 @@ class ModePath {
              ContactPoint& point);
   [[nodiscard]] Pair slack(const ContactForm& form, const ContactPoint& point, int i) const;
   [[nodiscard]] Pair slack_rate(const ContactForm& form, int i) const;
+  void arrive(const ContactForm& form, const std::vector<ContactMode>& modes, ContactPoint& point);
   void correct(const ContactForm& form, const std::vector<ContactMode>& modes, ContactPoint& point);
   void find_tangent(const ContactForm& form, ContactPoint& point);
   [[nodiscard]] double entering_rate(const ContactForm& form,
