@@ -85,6 +85,7 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
     stop(s);
   ContactLimits limits;
   limits.touching = std::max(touching, limits.touching);
+  if (!events_.would_rest(still, limits)) return false;
   Bookkeeping found;
   if (!(events_.start(still, t, limits, {}, found) && events_.at_rest())) return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});

@@ -206,6 +206,21 @@ bool rests(const Island& island,
   return accelerations_vanish(*work.system, island, solution, scales.gravity);
 }
 
+bool would_rest(const State& state, const ContactLimits& limits, Workspace& work) {
+  const System& system = *work.system;
+  const Scales scales = scales_of(system, state);
+  std::vector<Contact> contacts;
+  std::vector<Island> islands;
+  work.finder.find(system, state, contacts, limits.touching);
+  find_islands(system, contacts, work.finder.touches(), islands);
+  std::size_t touching = 0;
+  for (const Island& island : islands)
+    touching += island.cubes.size();
+  if (touching < state.size() && !system.gravity.isZero(0.0)) return false;
+  return std::ranges::all_of(
+      islands, [&](const Island& i) { return rests(i, state, scales, limits, work); });
+}
+
 bool would_open(const State& state, std::span<const Touch> closed, double most, Workspace& work) {
   std::vector<IndexPair> pairs;
   for (const Touch& touch : closed)

@@ -63,6 +63,8 @@ bool rests(const Island& island,
            const Scales& scales,
            const ContactLimits& limits,
            Workspace& work);
+/// Whether all islands of a state do, and nothing falls.
+bool would_rest(const State& state, const ContactLimits& limits, Workspace& work);
 
 /// Whether a gap of the pairs that `closed` joins would open with more than `most` m/s^2 if it
 /// could, at a state on these contacts. Loads of redundant contacts are not the only ones: a

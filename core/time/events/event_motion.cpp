@@ -92,6 +92,12 @@ bool EventMotion::start(const State& state,
   return true;
 }
 
+bool EventMotion::would_rest(const State& state, const ContactLimits& limits) {
+  const bool rests = wuerfel::would_rest(state, limits, work_);
+  work_.solves = {};
+  return rests;
+}
+
 bool EventMotion::at_rest() const {
   return std::ranges::all_of(modes_.resting, [](char r) { return r != 0; });
 }
