@@ -69,9 +69,18 @@ std::vector<int> component_of(const System& system, const Stride& stride) {
   return number_islands(system, acting);
 }
 
+/// Whether a contact that acts rubs and, at the end, does not slide.
+bool sticks(const System& system, const Stride& stride, const Blow& blow, const State& end) {
+  const Contact& c = blow.end;
+  if (!blow.acts() || system.surface(c.on, c.from).friction == 0.0) return false;
+  const double slip = relative_velocity(system, end, c).dot(perp(c.normal));
+  return std::abs(slip) <= opening_steps * stride.scales.gravity * stride.h;
+}
+
 /// The components, and the fixed bodies that keep them.
 std::vector<StepComponent> components_of(const System& system,
                                          const Stride& stride,
+                                         const State& end,
                                          const std::vector<int>& component) {
   std::vector<StepComponent> components(component.empty() ? 0 : std::ranges::max(component) + 1);
   for (int cube = 0; cube < system.cubes; ++cube)
@@ -90,6 +99,7 @@ std::vector<StepComponent> components_of(const System& system,
     std::vector<Vec2>& normals = components[k].fixed_normals;
     normals.reserve(2);
     if (normals.size() < 2) normals.push_back(c.normal);
+    if (sticks(system, stride, blow, end)) normals = {c.normal, perp(c.normal)};
   }
   return components;
 }
@@ -240,7 +250,7 @@ double sum_of(const std::vector<StepLoss>& losses) {
 
 StepRecord record_of(const System& system, const Stride& stride, const State& end) {
   const std::vector<int> component = component_of(system, stride);
-  StepRecord record{{}, components_of(system, stride, component)};
+  StepRecord record{{}, components_of(system, stride, end, component)};
   record.impulses.reserve(stride.blows.size());
   std::vector<Balance> balances(record.components.size());
   for (const auto& [id, blow] : stride.blows) {
