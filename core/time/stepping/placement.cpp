@@ -57,7 +57,7 @@ IslandSolution Placement::apart(const Island& island,
     for (std::size_t k = 0; k < part.margins.size(); ++k) {
       const Contact& c = part.island.contacts[k];
       const double gap = gap_at_poses(*system_, removal_->near().start_boxes(), c);
-      const bool touches = gap < touching_tolerance * contact_scale(*system_, c);
+      const bool touches = gap < touching_share * contact_scale(*system_, c);
       part.margins[k] = touches ? gap : std::min(part.margins[k], gap);
     }
     IslandSolution solution =
