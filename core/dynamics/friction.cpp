@@ -143,12 +143,14 @@ bool FrictionDynamics::rests(const State& still, const Island& island) {
 
 IslandSolution FrictionDynamics::placement(const State& state,
                                            const Island& island,
-                                           std::span<const Twist> targets) {
+                                           std::span<const Twist> targets,
+                                           bool again) {
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   builder_.position(state, island, use, targets);
   builder_.add_friction(state, island, use, Order::position);
   FrictionProgram friction = builder_.friction_program();
   friction.force_unit = step_ * step_;
+  friction.refines = again && island.rods.empty() && island.cubes.size() > few_displaced_cubes;
   CoulombResult result;
   solver_of(island, motions_).solve(friction, result, keys_of(island));
   return read(state, island, result);

@@ -39,10 +39,13 @@ class FrictionDynamics {
   /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
   bool rests(const State& still, const Island& island);
   /// Displacements from `state` nearest to `targets` (one per cube, m and rad) under Coulomb's law
-  /// in displacements: no gap below zero, friction against the way that a corner slides.
+  /// in displacements: no gap below zero, friction against the way that a corner slides. `again`: gaps
+  /// have been measured anew since the last one; of more than a few cubes without rods an answer is
+  /// asked for only where it is near.
   IslandSolution placement(const State& state,
                            const Island& island,
-                           std::span<const Twist> targets);
+                           std::span<const Twist> targets,
+                           bool again = false);
   /// What is remembered of the motions of an island.
   void forget(const Island& island) { motions_.erase(island.cubes.front()); }
   /// Lets the last program be kept if the solution that is used misses Coulomb's law. Of placements the caller knows whether

@@ -21,8 +21,7 @@ constexpr double certain_fall = 0.9 * falls_above;
 /// A cube may be left with this many times what the residual leaves of the largest force.
 constexpr double left_over_times = 2.0;
 
-/// Programs of so many cubes are solved exactly.
-constexpr std::size_t few_displaced_cubes = 24;
+/// Impacts of so many cubes are solved exactly.
 constexpr std::size_t few_struck_cubes = 64;
 
 }  // namespace

@@ -48,6 +48,9 @@ struct ProgramTolerances {
   double placement = QpSettings{}.tolerance;   ///< displacements nearest to targets
 };
 
+/// Displacements of so many cubes are solved exactly.
+inline constexpr std::size_t few_displaced_cubes = 24;
+
 /// Builds and solves programs. Remembers, island by island, what a solver can start from; an island
 /// is known by its first cube. Throws SolverError where a solver is missing or a program malformed (a
 /// state that is not a number, say).

@@ -120,6 +120,10 @@ void CoulombSolver::solve(const FrictionProgram& friction,
   w.stages.prepare(friction);
   w.force_unit = friction.force_unit > 0.0 ? friction.force_unit : w.stages.weight();
   const bool solved = w.find(friction, keys, result);
+  if (friction.refines && !solved) {
+    result.status = QpStatus::inaccurate;
+    return;
+  }
   if (!solved) w.stages.take(result.multiplier);
   result.status = solved ? QpStatus::optimal : QpStatus::inaccurate;
   if (any_slides(friction) && (!solved || w.stages.jams(friction, result)))
@@ -147,6 +151,7 @@ bool CoulombSolver::Work::find(const FrictionProgram& friction,
   if (known && stages.certificate(friction, result)) return true;
   const int most = known ? known_factorisations : guessed_factorisations;
   if (stages.newton(friction, most, result)) return true;
+  if (friction.refines) return false;
   if (any_slides(friction)) {
     start(keys);
     const auto seed = static_cast<std::uint64_t>(friction.contacts.size());

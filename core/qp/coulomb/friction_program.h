@@ -32,6 +32,8 @@ struct FrictionProgram {
   /// What forces that hold the same weights grow as from one program to the next, for solvers that remember: h of velocities
   /// and h^2 of displacements in steps of h; 0: as the largest weight does, which what moves changes.
   double force_unit = 0.0;
+  /// An answer is asked for only where Newton's method finds it from that of the program before.
+  bool refines = false;
 };
 
 }  // namespace wuerfel

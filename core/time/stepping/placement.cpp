@@ -46,9 +46,11 @@ State Placement::find(Stride& stride, Bookkeeping& book) {
   return state;
 }
 
-/// Displacements that keep the cubes of an island apart, against friction where they rub.
+/// Displacements that keep the cubes of an island apart, against friction where they rub; `again`: gaps have been measured
+/// anew.
 IslandSolution Placement::apart(const Island& island,
                                 const std::vector<Twist>& targets,
+                                bool again,
                                 Bookkeeping& book) {
   Restricted part = removal_->apart(island);
   if (rubs(*system_, island)) {
@@ -61,7 +63,7 @@ IslandSolution Placement::apart(const Island& island,
       part.margins[k] = touches ? gap : std::min(part.margins[k], gap);
     }
     IslandSolution solution =
-        work_->friction.placement(stride_->start, with_margins(part), targets);
+        work_->friction.placement(stride_->start, with_margins(part), targets, again);
     keep_book(solution, book);
     return solution;
   }
@@ -136,7 +138,7 @@ void Placement::place_island(const Island& island, State& state, Bookkeeping& bo
     const BodyState& half = stride_->half[cube];
     targets.push_back({stride_->h * half.velocity, stride_->h * half.spin});
   }
-  const IslandSolution straight = apart(island, targets, book);
+  const IslandSolution straight = apart(island, targets, false, book);
   work_->friction.keep_if_missed(straight);
   fly_half(island, straight, state);
   // Where something is struck within the step its order is one anyway.
@@ -212,7 +214,7 @@ void Placement::bend(const Island& island,
   // Once for contacts; rods until they have their lengths, for no velocity knows of what the clean-up changes.
   for (int k = 0; k < most_bends && (k == 0 || bend_more(state, bent)); ++k) {
     Bookkeeping tried;
-    IslandSolution solution = apart(bent, targets, tried);
+    IslandSolution solution = apart(bent, targets, true, tried);
     const bool solved = solution.status == QpStatus::optimal;
     if (!solved) tried.audit = {};
     add(tried, book);

@@ -20,7 +20,10 @@ class Placement {
  private:
   void rest(const RestingIsland& island, State& state);
   void place_island(const Island& island, State& state, Bookkeeping& book);
-  IslandSolution apart(const Island& island, const std::vector<Twist>& targets, Bookkeeping& book);
+  IslandSolution apart(const Island& island,
+                       const std::vector<Twist>& targets,
+                       bool again,
+                       Bookkeeping& book);
   void bend(const Island& island,
             const std::vector<Twist>& targets,
             const IslandSolution& straight,
