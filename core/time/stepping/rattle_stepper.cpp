@@ -160,7 +160,7 @@ void RattleStepper::arrive(Step& step, double t) {
 /// Books a change of momenta beyond the impulses: of fixed bodies, where they were touched.
 void RattleStepper::note_settled(const Push& change, const StepRecord& record, Bookkeeping& book) {
   const bool fixed = std::ranges::any_of(
-      record.components, [](const StepComponent& part) { return !part.fixed_normals.empty(); });
+      record.components, [](const StepComponent& part) { return !part.held_along.empty(); });
   (fixed ? book.settled : book.unexplained) += change;
 }
 

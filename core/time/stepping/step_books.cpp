@@ -89,14 +89,14 @@ std::vector<StepComponent> components_of(const System& system,
   for (const Rod& rod : system.rods) {
     if (!is_held(rod)) continue;
     StepComponent& part = components[component[std::max(rod.i.body, rod.j.body)]];
-    part.fixed_normals = {Vec2::UnitX(), Vec2::UnitY()};
+    part.held_along = {Vec2::UnitX(), Vec2::UnitY()};
   }
   for (const auto& [id, blow] : stride.blows) {
     const Contact& c = blow.end;
     if (system.is_cube(c.on) && system.is_cube(c.from)) continue;
     const int k = component[a_cube_of(system, c)];
     if (k < 0 || !(blow.acts() || blow.cleaned || is_near(system, c, touching_share))) continue;
-    std::vector<Vec2>& normals = components[k].fixed_normals;
+    std::vector<Vec2>& normals = components[k].held_along;
     normals.reserve(2);
     if (normals.size() < 2) normals.push_back(c.normal);
     if (sticks(system, stride, blow, end)) normals = {c.normal, perp(c.normal)};

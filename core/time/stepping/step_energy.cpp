@@ -20,7 +20,7 @@ void lose_in_landing(double energy, std::vector<StepLoss>& losses) {
 }
 
 RigidMotion kept_of(const System& system, const StepComponent& part, const State& state) {
-  return kept_motion(momentum_of(system, state, part.cubes), part.fixed_normals);
+  return kept_motion(momentum_of(system, state, part.cubes), part.held_along);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ double pay(const System& system,
     take(part, kept_of(system, part, state));
   // Fixed bodies that rub take momentum along their sides, too.
   for (const StepComponent& part : components) {
-    if (system.rubs && !part.fixed_normals.empty()) take(part, RigidMotion{});
+    if (system.rubs && !part.held_along.empty()) take(part, RigidMotion{});
   }
   return unpaid;
 }

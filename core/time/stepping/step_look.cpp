@@ -185,7 +185,7 @@ void StepLook::set_velocities(const State& from,
 
 /// Angular momentum changes by gravity alone where nothing fixed is touched.
 void StepLook::turn_on(const StepComponent& part, const State& from, double t, State& state) const {
-  if (!part.fixed_normals.empty()) return;
+  if (!part.held_along.empty()) return;
   const Momentum before = momentum_of(*system_, from, part.cubes);
   const Momentum now = momentum_of(*system_, state, part.cubes);
   const Vec2& g = system_->gravity;
@@ -209,7 +209,7 @@ double StepLook::set_energy(const StepComponent& part,
     goal -= loss.by(share);
   }
   goal += share * (energy_of(*system_, to, part.cubes) - (start - all));
-  std::vector<Vec2> normals = part.fixed_normals;
+  std::vector<Vec2> normals = part.held_along;
   const auto scale = [&](const RigidMotion& kept) {
     return scale_to_energy(*system_, part.cubes, kept, goal, most_scaled_up, state);
   };

@@ -34,8 +34,8 @@ struct StepLoss {
 
 /// Cubes that pushed one another, or something fixed.
 struct StepComponent {
-  std::vector<int> cubes;           ///< ascending
-  std::vector<Vec2> fixed_normals;  ///< of the fixed bodies that they touched
+  std::vector<int> cubes;        ///< ascending
+  std::vector<Vec2> held_along;  ///< directions in which fixed bodies that they touched hold them
   std::vector<StepLoss> losses;
 };
 
