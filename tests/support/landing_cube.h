@@ -10,7 +10,7 @@ namespace wuerfel::test {
 /// half a newton second at either corner, in the first half of a step of 0.1 s.
 class LandingCube {
  public:
-  LandingCube() : m_(scene()) {
+  explicit LandingCube(double friction = 0.0) : m_(scene(friction)) {
     ContactFinder finder;
     std::vector<Contact> contacts;
     finder.find(m_.system, m_.state, contacts, 0.1);
@@ -27,8 +27,9 @@ class LandingCube {
   State end;
 
  private:
-  static Scene scene() {
+  static Scene scene(double friction) {
     Scene scene = on_floor({cube("a", {0.0, 0.54})});
+    scene.cubes[0].material.friction = scene.planes[0].material.friction = friction;
     scene.gravity = Vec2::Zero();
     scene.cubes[0].velocity = {0.0, -1.0};
     return scene;

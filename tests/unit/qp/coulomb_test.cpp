@@ -218,6 +218,38 @@ TEST(Coulomb, ForcesFollowTheScaleOfTheProgram) {
   EXPECT_EQ(expected, result.multiplier);
 }
 
+TEST(Coulomb, WhatOnlyRefinesIsFoundWhereItIsNear) {
+  FrictionCase c = friction_tower(3, {.mu = 0.5, .punch = 3.0});
+  CoulombSolver solver;
+  CoulombResult result;
+  const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
+  solver.solve(c.view(), result, keys);
+  for (double& bound : c.program.bound)
+    bound -= 1e-6;
+  FrictionProgram again = c.view();
+  again.refines = true;
+  solver.solve(again, result, keys);
+  EXPECT_EQ(result.status, QpStatus::optimal);
+  EXPECT_EQ(result.stage, CoulombStage::newton);
+}
+
+// And leaves what is remembered as it was where it is not.
+TEST(Coulomb, WhatOnlyRefinesIsGivenUpWhereItIsFar) {
+  const FrictionCase c = friction_pile(30, {.mu = 0.6, .tumble = true});
+  CoulombSolver solver;
+  CoulombResult result;
+  FrictionProgram again = c.view();
+  again.refines = true;
+  solver.solve(again, result);
+  EXPECT_EQ(result.status, QpStatus::inaccurate);
+  EXPECT_TRUE(result.x.empty());
+  CoulombResult fresh;
+  solver.solve(c.view(), result);
+  CoulombSolver().solve(c.view(), fresh);
+  EXPECT_EQ(result.status, QpStatus::optimal);
+  EXPECT_EQ(result.multiplier, fresh.multiplier);
+}
+
 // What is near in a placement need not touch where velocities are found.
 TEST(Coulomb, ModesOutliveProgramsWithoutTheirContact) {
   const FrictionCase c = friction_tower(2, {.mu = 0.5});

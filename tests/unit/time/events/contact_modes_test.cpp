@@ -199,5 +199,21 @@ TEST(ContactModes, WhatMovesDoesNotRest) {
   EXPECT_TRUE(modes_of(m).rests);
 }
 
+TEST(ContactModes, AllWouldRestWhereEachIslandDoesAndNothingFalls) {
+  const auto would = [](const Scene& scene) {
+    const Mechanism m(scene);
+    Workspace work(m.system, {});
+    return would_rest(m.state, {}, work);
+  };
+  EXPECT_TRUE(
+      would(on_floor({cube("a", {0.0, 0.5}), cube("b", {3.0, 0.5}), cube("c", {3.2, 1.5})})));
+  EXPECT_FALSE(
+      would(on_floor({cube("a", {0.0, 0.5}), cube("b", {3.0, 0.5}), cube("c", {3.6, 1.5})})));
+  EXPECT_FALSE(would(on_floor({cube("a", {0.0, 0.5}), cube("b", {3.0, 2.5})})));
+  Scene moves = on_floor({cube("a", {0.0, 0.5}), cube("b", {3.0, 0.5})});
+  moves.cubes[1].velocity = {1e-3, 0.0};
+  EXPECT_FALSE(would(moves));
+}
+
 }  // namespace
 }  // namespace wuerfel::test

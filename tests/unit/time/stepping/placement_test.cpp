@@ -38,6 +38,16 @@ TEST(Placement, TheGroundCarriesTheWeightOfHalfAStep) {
   }
 }
 
+// What a step leaves closed the next one finds closed: a pile would never come to rest.
+TEST(Placement, WhatRubsDoesNotCloseGapsThatCountAsClosed) {
+  Scene scene = on_floor({cube("a", {0.0, 0.5 + 5e-9})});
+  scene.cubes[0].material.friction = scene.planes[0].material.friction = 0.5;
+  TakenStep s(scene);
+  const State end = s.placement.find(s.stride, s.book);
+  EXPECT_NEAR(end[0].position.y(), 0.5 + 5e-9, 1e-15);
+  EXPECT_NEAR(s.first().y(), 0.5 * g * TakenStep::h, 1e-12);
+}
+
 TEST(Placement, WhatMeetsOnTheWaySharesTheRoomByMass) {
   // p (1 + 1/3) h is the overlap of 0.005 m of free flight.
   TakenStep s(flying_at(3.0));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/dynamics/momentum.h"
 #include "core/time/stepping/step_energy.h"
 #include "tests/support/landing_cube.h"
 
@@ -96,6 +97,22 @@ double loss_of_opening(double speed) {
 TEST(StepBooks, WhatOpensAndLandsIsLostWhatLastsIsSway) {
   EXPECT_NEAR(loss_of_opening(0.1), 0.5, 1e-14);
   EXPECT_EQ(loss_of_opening(1e-3), 0.0);
+}
+
+// Or energy that is put right moves all that stands along with the little that moves.
+TEST(StepBooks, GroundThatRubsHoldsWhatDoesNotSlideInAllDirections) {
+  const auto kept_along = [](const LandingCube& landing) {
+    const StepRecord record = record_of(landing.system(), landing.stride, landing.end);
+    const StepComponent& part = record.components.at(0);
+    State fast = landing.end;
+    fast[0].velocity = {1.0, 1.0};
+    return kept_motion(momentum_of(landing.system(), fast, part.cubes), part.held_along).velocity;
+  };
+  LandingCube landing(0.5);
+  EXPECT_TRUE(kept_along(landing).isZero(0.0));
+  landing.end[0].velocity.x() = 0.1;
+  EXPECT_EQ(kept_along(landing), Vec2(1.0, 0.0));
+  EXPECT_EQ(kept_along(LandingCube()), Vec2(1.0, 0.0));
 }
 
 }  // namespace
