@@ -81,6 +81,7 @@ std::string_view to_string(CoulombStage stage) {
 struct CoulombSolver::Work {
   explicit Work(const CoulombSettings& settings) : stages(settings) {}
   bool start(std::span<const std::uint64_t> keys);
+  bool find_near(const FrictionProgram& friction, bool known, CoulombResult& result);
   bool find(const FrictionProgram& friction,
             std::span<const std::uint64_t> keys,
             CoulombResult& result);
@@ -143,14 +144,20 @@ bool CoulombSolver::Work::start(std::span<const std::uint64_t> keys) {
   return memory.recall(form, keys, force_unit, stages.modes, stages.point.l);
 }
 
+bool CoulombSolver::Work::find_near(const FrictionProgram& friction,
+                                    bool known,
+                                    CoulombResult& result) {
+  if (known && stages.certificate(friction, result)) return true;
+  const int most = known ? known_factorisations : guessed_factorisations;
+  return stages.newton(friction, most, result);
+}
+
 /// Where slips are known nothing is convex, and the solution nearest to the former modes comes first.
 bool CoulombSolver::Work::find(const FrictionProgram& friction,
                                std::span<const std::uint64_t> keys,
                                CoulombResult& result) {
   const bool known = start(keys);
-  if (known && stages.certificate(friction, result)) return true;
-  const int most = known ? known_factorisations : guessed_factorisations;
-  if (stages.newton(friction, most, result)) return true;
+  if (find_near(friction, known, result)) return true;
   if (friction.refines) return false;
   if (any_slides(friction)) {
     start(keys);
