@@ -69,10 +69,11 @@ std::vector<int> component_of(const System& system, const Stride& stride) {
   return number_islands(system, acting);
 }
 
-/// Whether a contact that acts rubs and, at the end, does not slide.
+/// Whether a contact that acts rubs and, at the end, does not slide. Where bodies bounce more energy is put right than fixed ones
+/// could give momenta for.
 bool sticks(const System& system, const Stride& stride, const Blow& blow, const State& end) {
   const Contact& c = blow.end;
-  if (!blow.acts() || system.surface(c.on, c.from).friction == 0.0) return false;
+  if (system.bounces || !blow.acts() || system.surface(c.on, c.from).friction == 0.0) return false;
   const double slip = relative_velocity(system, end, c).dot(perp(c.normal));
   return std::abs(slip) <= opening_steps * stride.scales.gravity * stride.h;
 }
