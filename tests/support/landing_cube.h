@@ -10,7 +10,8 @@ namespace wuerfel::test {
 /// half a newton second at either corner, in the first half of a step of 0.1 s.
 class LandingCube {
  public:
-  explicit LandingCube(double friction = 0.0) : m_(scene(friction)) {
+  explicit LandingCube(double friction = 0.0, double restitution = 0.0)
+      : m_(scene(friction, restitution)) {
     ContactFinder finder;
     std::vector<Contact> contacts;
     finder.find(m_.system, m_.state, contacts, 0.1);
@@ -27,9 +28,10 @@ class LandingCube {
   State end;
 
  private:
-  static Scene scene(double friction) {
+  static Scene scene(double friction, double restitution) {
     Scene scene = on_floor({cube("a", {0.0, 0.54})});
     scene.cubes[0].material.friction = scene.planes[0].material.friction = friction;
+    scene.cubes[0].material.restitution = scene.planes[0].material.restitution = restitution;
     scene.gravity = Vec2::Zero();
     scene.cubes[0].velocity = {0.0, -1.0};
     return scene;

@@ -113,6 +113,8 @@ TEST(StepBooks, GroundThatRubsHoldsWhatDoesNotSlideInAllDirections) {
   landing.end[0].velocity.x() = 0.1;
   EXPECT_EQ(kept_along(landing), Vec2(1.0, 0.0));
   EXPECT_EQ(kept_along(LandingCube()), Vec2(1.0, 0.0));
+  EXPECT_EQ(kept_along(LandingCube(0.5, 0.5)),
+            Vec2(1.0, 0.0));  // more is put right where it bounces
 }
 
 }  // namespace
