@@ -187,12 +187,17 @@ TEST(Coulomb, SecondTimeIsACertificate) {
   EXPECT_EQ(first.multiplier, second.multiplier);
 }
 
-TEST(Coulomb, KeysFindContactsAgain) {
+/// A punched tower, and the solver that remembers its contacts by keys.
+struct SolvedTower {
+  SolvedTower() { solver.solve(c.view(), result, keys); }
   FrictionCase c = friction_tower(3, {.mu = 0.5, .punch = 3.0});
   CoulombSolver solver;
   CoulombResult result;
-  const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
-  solver.solve(c.view(), result, keys);
+  std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
+};
+
+TEST(Coulomb, KeysFindContactsAgain) {
+  auto [c, solver, result, keys] = SolvedTower();
   const std::vector<double> before = result.multiplier;
   const std::vector<std::uint64_t> turned{9, 2, 5, 7, 3, 11};
   std::reverse(c.contacts.begin(), c.contacts.end());
@@ -203,11 +208,7 @@ TEST(Coulomb, KeysFindContactsAgain) {
 
 // Velocities and displacements of one step differ by its length.
 TEST(Coulomb, ForcesFollowTheScaleOfTheProgram) {
-  FrictionCase c = friction_tower(3, {.mu = 0.5, .punch = 3.0});
-  CoulombSolver solver;
-  CoulombResult result;
-  const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
-  solver.solve(c.view(), result, keys);
+  auto [c, solver, result, keys] = SolvedTower();
   std::vector<double> expected = result.multiplier;
   for (auto* numbers : {&c.program.target, &c.program.bound, &expected}) {
     for (double& number : *numbers)
@@ -219,11 +220,7 @@ TEST(Coulomb, ForcesFollowTheScaleOfTheProgram) {
 }
 
 TEST(Coulomb, WhatOnlyRefinesIsFoundWhereItIsNear) {
-  FrictionCase c = friction_tower(3, {.mu = 0.5, .punch = 3.0});
-  CoulombSolver solver;
-  CoulombResult result;
-  const std::vector<std::uint64_t> keys{11, 3, 7, 5, 2, 9};
-  solver.solve(c.view(), result, keys);
+  auto [c, solver, result, keys] = SolvedTower();
   for (double& bound : c.program.bound)
     bound -= 1e-6;
   FrictionProgram again = c.view();
