@@ -9,7 +9,7 @@
 
 namespace wuerfel {
 
-/// Gaps of up to this share of the smaller side are closed at the ends of a step.
+/// Gaps of up to this share of the smaller side are closed at both ends of a step.
 inline constexpr double touching_share = 1e-8;
 /// Closing speeds beyond this many g h are impacts, not the load of a step.
 inline constexpr double impact_steps = 0.5;
