@@ -134,9 +134,18 @@ IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
 }
 
 bool FrictionDynamics::rests(const State& still, const Island& island) {
+  return can_hold(still, island, Order::acceleration);
+}
+
+bool FrictionDynamics::stops(const State& pushed, const Island& island) {
+  return can_hold(pushed, island, Order::velocity);
+}
+
+bool FrictionDynamics::can_hold(const State& state, const Island& island, Order order) {
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.acceleration(still, island, use);
-  builder_.add_friction(still, island, use, Order::acceleration);
+  order == Order::velocity ? builder_.velocity(state, island, use)
+                           : builder_.acceleration(state, island, use);
+  builder_.add_friction(state, island, use, order);
   if (!rest_) rest_ = std::make_unique<RestProgram>();
   return rest_->solve(builder_.friction_program()).equilibrium();
 }

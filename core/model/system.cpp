@@ -85,31 +85,6 @@ void set_surfaces(const Scene& scene, System& system) {
   system.bounces = any_pair(&Material::restitution);
 }
 
-/// What fixed bodies cover of one another.
-void set_covers(System& system) {
-  std::vector<BoundingBox> bounds;
-  const int cubes = system.cubes;
-  int boxes = cubes;
-  for (; boxes < system.count() && system.bodies[boxes].kind == BodyKind::fixed; ++boxes) {
-    const Box& box = system.bodies[boxes].box;
-    bounds.push_back(posed_bounds(box, touching_tolerance * box.smaller_side()));
-  }
-  std::vector<Cover> covers(bounds.size());
-  BroadPhase broad_phase;
-  for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
-    const Box& a = system.bodies[cubes + pair.first].box;
-    const Box& b = system.bodies[cubes + pair.second].box;
-    add_cover(a, b, covers[pair.first]);
-    add_cover(b, a, covers[pair.second]);
-  }
-  for (int i = cubes; i < boxes; ++i) {
-    Cover& cover = covers[i - cubes];
-    for (int p = boxes; p < system.count(); ++p)
-      add_cover(system.bodies[i].box, system.bodies[p].point, system.bodies[p].normal, cover);
-    if (!cover.empty()) system.bodies[i].cover = std::make_shared<const Cover>(std::move(cover));
-  }
-}
-
 }  // namespace
 
 Material System::surface(int i, int j) const {
@@ -179,6 +154,30 @@ System make_system(const Scene& scene) {
   set_rods(scene, system);
   set_reach_of_points(system);
   return system;
+}
+
+void set_covers(System& system) {
+  std::vector<BoundingBox> bounds;
+  const int cubes = system.cubes;
+  int boxes = cubes;
+  for (; boxes < system.count() && system.bodies[boxes].kind == BodyKind::fixed; ++boxes) {
+    const Box& box = system.bodies[boxes].box;
+    bounds.push_back(posed_bounds(box, touching_tolerance * box.smaller_side()));
+  }
+  std::vector<Cover> covers(bounds.size());
+  BroadPhase broad_phase;
+  for (const IndexPair& pair : broad_phase.overlapping_pairs(bounds)) {
+    const Box& a = system.bodies[cubes + pair.first].box;
+    const Box& b = system.bodies[cubes + pair.second].box;
+    add_cover(a, b, covers[pair.first]);
+    add_cover(b, a, covers[pair.second]);
+  }
+  for (int i = cubes; i < boxes; ++i) {
+    Cover& cover = covers[i - cubes];
+    for (int p = boxes; p < system.count(); ++p)
+      add_cover(system.bodies[i].box, system.bodies[p].point, system.bodies[p].normal, cover);
+    if (!cover.empty()) system.bodies[i].cover = std::make_shared<const Cover>(std::move(cover));
+  }
 }
 
 double fastest_corner(const Body& body, const Twist& velocity) {

@@ -31,6 +31,8 @@ struct Body {
   Vec2 normal = Vec2::UnitY();  ///< unit vector out of the solid; of planes
   Material material;
   std::shared_ptr<const Cover> cover;  ///< of a fixed box that others touch; else none
+  bool stands =
+      false;       ///< a fixed box that is a cube of the scene, as long as forces hold it (part_on)
   int number = 0;  ///< in the whole scene, also where only a part of its cubes is looked at
 
   /// Distance of the corners from the centre, m; of boxes.
@@ -74,6 +76,9 @@ struct System {
 };
 
 System make_system(const Scene& scene);
+
+/// Finds what fixed bodies cover of one another.
+void set_covers(System& system);
 
 /// The state that the scene starts from.
 State initial_state(const Scene& scene);

@@ -31,4 +31,22 @@ System part_of(const System& whole, const std::vector<int>& cubes) {
   return part;
 }
 
+System part_on(const System& whole,
+               const std::vector<int>& cubes,
+               const std::vector<int>& standing,
+               const State& state) {
+  System part = part_of(whole, cubes);
+  std::vector<Body> boxes;
+  for (const int cube : standing) {
+    Body body = whole.body(cube);
+    body.kind = BodyKind::fixed;
+    body.stands = true;
+    body.box = make_box(state[cube].position, state[cube].angle, body.size);
+    boxes.push_back(std::move(body));
+  }
+  part.bodies.insert(part.bodies.begin() + part.cubes, boxes.begin(), boxes.end());
+  set_covers(part);
+  return part;
+}
+
 }  // namespace wuerfel

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/dynamics/momentum_balance.h"
 #include "core/time/events/corrections.h"
@@ -51,13 +52,8 @@ void Track::start(const State& state,
   pieces_.clear();
   crowding_.begin(scales_.time, t, stepping.patience);
   stepping_ = false;
-  if (only_steps_) {
-    if (!rest_from(state, t, touching, book_)) {
-      begin_steps(state, t);
-      until_ = t + longest_step * crowding_.frame();
-    }
-    return;
-  }
+  part_.reset();
+  if (only_steps_) return go_on_from(state, t, touching, std::move(resting));
   if (stepping.until > t && !policy_.only_steps) {
     // What is stepped anyway meets its impacts in steps.
     begin_steps(state, t);
@@ -78,7 +74,7 @@ void Track::start(const State& state,
 }
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
-bool Track::rest_from(const State& state, double t, double touching, Bookkeeping& book) {
+bool Track::rest_from(const State& state, double t, double touching, std::vector<char> resting) {
   if (!is_slower_than(*system_, state, slowest_motion * scales_.speed)) return false;
   State still = state;
   for (BodyState& s : still)
@@ -87,10 +83,11 @@ bool Track::rest_from(const State& state, double t, double touching, Bookkeeping
   limits.touching = std::max(touching, limits.touching);
   if (!events_.would_rest(still, limits)) return false;
   Bookkeeping found;
-  if (!(events_.start(still, t, limits, {}, found) && events_.at_rest())) return false;
+  if (!(events_.start(still, t, limits, std::move(resting), found) && events_.at_rest()))
+    return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
   found.settled += unexplained(*system_, state, still, 0.0, {});
-  add(found, book);
+  add(found, book_);
   return true;
 }
 
@@ -102,13 +99,78 @@ Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
   return {std::max(a.until, b.until), std::max(a.patience, b.patience)};
 }
 
-double Track::clock() const { return stepping_ ? clock_ : events_.clock(); }
+/// A large group goes on from a state: it rests, most of it stands, or it is stepped.
+void Track::go_on_from(const State& state, double t, double touching, std::vector<char> resting) {
+  if (rest_from(state, t, touching, std::move(resting)) || part_from(state, t, touching)) return;
+  begin_steps(state, t);
+  until_ = t + longest_step * crowding_.frame();
+}
 
-const State& Track::state() const { return stepping_ ? steps_->state() : events_.state(); }
+/// Whether most of the cubes stand, and only the others go on.
+bool Track::part_from(const State& state, double t, double touching) {
+  if (policy_.only_steps) return false;
+  if (!work_) work_ = std::make_unique<Workspace>(*system_, settings_);
+  part_ = PartialMotion::find(state, t, touching, settings_, policy_, *work_);
+  keep_cost(std::exchange(work_->solves, {}), book_);
+  if (!part_) return false;
+  const State& begun = part_->state();
+  book_.losses.push_back({t, energy(*system_, state) - energy(*system_, begun), false, t});
+  book_.settled += unexplained(*system_, state, begun, 0.0, {});
+  MotionPiece piece;
+  piece.kind = MotionPiece::Kind::part;
+  piece.begin = t;
+  piece.start = begun;
+  piece.part = part_;
+  pieces_.push_back(std::move(piece));
+  return true;
+}
 
-const std::vector<char>& Track::resting() const { return stepping_ ? moving_ : events_.resting(); }
+void Track::advance_part(double limit) {
+  part_->advance(limit, book_);
+  const bool rests = part_->goes_on() && part_->at_rest();
+  if (part_->goes_on() && !rests) return;
+  const std::shared_ptr<PartialMotion> part = std::exchange(part_, nullptr);
+  if (rests) return rest_there(part->state(), part->clock());
+  // Somewhere in that step the others give way: as near to it as steps begin.
+  if (part->refused() > first_step * crowding_.frame()
+      && part_from(part->state(), part->clock(), touching_tolerance)) {
+    part_->set_longest_step(0.5 * part->refused());
+    return;
+  }
+  begin_steps(part->state(), part->clock());
+  until_ = crowding_.frames_after(clock_, longest_step);
+}
+
+/// Nobody moves any more, and all are known to be held.
+void Track::rest_there(const State& state, double t) {
+  Bookkeeping found;
+  const ContactLimits limits{touching_tolerance, slowest_motion};
+  if (events_.start(state, t, limits, std::vector<char>(state.size(), 1), found)
+      && events_.at_rest()) {
+    add(found, book_);
+    return;
+  }
+  begin_steps(state, t);
+  until_ = crowding_.frames_after(clock_, longest_step);
+}
+
+double Track::clock() const {
+  if (part_) return part_->clock();
+  return stepping_ ? clock_ : events_.clock();
+}
+
+const State& Track::state() const {
+  if (part_) return part_->state();
+  return stepping_ ? steps_->state() : events_.state();
+}
+
+const std::vector<char>& Track::resting() const {
+  if (part_) return part_->resting();
+  return stepping_ ? moving_ : events_.resting();
+}
 
 void Track::advance(double limit) {
+  if (part_) return advance_part(limit);
   const Audit before = book_.audit;
   const double t = clock();
   const std::size_t known = book_.breaches.size();
@@ -176,6 +238,11 @@ void Track::consider_events() {
   if (events_.wedged() || crowding_.crowds()) hand_over(events_.state(), events_.clock());
 }
 
+void Track::take_blows() {
+  events_.take_blows(book_);
+  consider_events();
+}
+
 void Track::hand_over(const State& state, double t) {
   begin_steps(state, t);
   until_ = crowding_.step_from(t);
@@ -205,7 +272,8 @@ void Track::go_on_or_hand_back() {
   const bool slow = is_slower_than(*system_, steps_->state(), slowest_motion * scales_.speed);
   if (only_steps_ || policy_.only_steps) {
     until_ = crowding_.frames_after(clock_, longest_step);
-    stepping_ = !(slow && rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, book_));
+    stepping_ = !(slow && rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, {}))
+                && !hand_to_part();
     return;
   }
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
@@ -216,14 +284,27 @@ void Track::go_on_or_hand_back() {
   }
 }
 
+/// Books what it took to close the gaps at the end of a stepping.
+void Track::book_closing(const State& closed) {
+  const double loss = energy(*system_, steps_->state()) - energy(*system_, closed);
+  if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
+  book_.settled += unexplained(*system_, steps_->state(), closed, 0.0, {});
+}
+
+bool Track::hand_to_part() {
+  if (policy_.only_steps || !PartialMotion::few_move(*system_, steps_->state())) return false;
+  const State state = steps_->with_closed_gaps();
+  if (!part_from(state, clock_, touching_tolerance)) return false;
+  book_closing(state);
+  return true;
+}
+
 void Track::hand_back() {
   crowding_.step_to(clock_);
   last_events_ = 0;
   stepping_ = false;
   const State state = steps_->with_closed_gaps();
-  const double loss = energy(*system_, steps_->state()) - energy(*system_, state);
-  if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
-  book_.settled += unexplained(*system_, steps_->state(), state, 0.0, {});
+  book_closing(state);
   // Gaps of contacts under load have been closed to rounding.
   const ContactLimits limits{touching_tolerance, slowest_motion};
   const bool fits = events_.start(state, clock_, limits, {}, book_);
@@ -241,9 +322,11 @@ std::ptrdiff_t Track::piece_at(double t) const {
 
 std::vector<Contact> Track::loaded_at(double t) const {
   const std::ptrdiff_t k = piece_at(t);
+  if (k < 0 && part_) return part_->loaded_at(t);
   // At the clock of a stepping it is the last step.
   if (k < 0 && (!stepping_ || pieces_.empty())) return {};
   const MotionPiece& piece = k < 0 ? pieces_.back() : pieces_[k];
+  if (piece.kind == MotionPiece::Kind::part) return piece.part->loaded_at(t);
   return piece.kind == MotionPiece::Kind::stepped ? piece.closed : std::vector<Contact>{};
 }
 
@@ -251,6 +334,7 @@ State Track::at(double t) {
   const std::ptrdiff_t k = piece_at(t);
   if (k < 0) return state();
   const MotionPiece& piece = pieces_[k];
+  if (piece.kind == MotionPiece::Kind::part) return piece.part->at(t);
   if (t <= piece.begin || piece.kind == MotionPiece::Kind::rest) return piece.start;
   if (piece.kind == MotionPiece::Kind::smooth) return events_.look(piece, t);
   if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
@@ -262,6 +346,7 @@ State Track::at(double t) {
 void Track::forget_before(double t) {
   while (pieces_.size() > 1 && pieces_[1].begin <= t)
     pieces_.pop_front();
+  if (!pieces_.empty() && pieces_.front().part) pieces_.front().part->forget_before(t);
 }
 
 void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
@@ -277,6 +362,7 @@ void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
     const double end = next == pieces_.end() ? clock() : next->begin;
     if (end < t) continue;
     add(piece->start);
+    if (piece->kind == MotionPiece::Kind::part) piece->part->sweep(t, bounds);
     if (piece->kind != MotionPiece::Kind::smooth) continue;
     // Between its ends a smooth piece leaves the chord: it is looked at along the way.
     const bool known = !piece->motion.coefficients.empty();

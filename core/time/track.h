@@ -8,6 +8,7 @@
 
 #include "core/time/crowding.h"
 #include "core/time/events/event_motion.h"
+#include "core/time/partial_motion.h"
 #include "core/time/policy.h"
 #include "core/time/restart_point.h"
 #include "core/time/stepping/controlled_stepping.h"
@@ -22,7 +23,8 @@ namespace wuerfel {
 ///     do cubes that are wedged, and an event that was missed and would leave overlap,
 ///   - stepping lasts for some frames, and until impacts no longer crowd; then gaps of contacts that
 ///     carry load are closed and the events get their next chance. Large groups go back only to be
-///     found at rest.
+///     found at rest,
+///   - where most cubes of a large group stand, the others move as a group of their own on them (PartialMotion).
 class Track {
  public:
   Track(const System& system, const MotionSettings& settings, const MotionPolicy& policy);
@@ -51,7 +53,10 @@ class Track {
   [[nodiscard]] std::vector<Contact> loaded_at(double t) const;
   void forget_before(double t);
 
-  [[nodiscard]] bool at_rest() const { return !stepping_ && events_.at_rest(); }
+  /// Blows to what only stands, at the clock: see EventMotion.
+  [[nodiscard]] const std::map<int, Push>& blows() const { return events_.blows(); }
+  void take_blows();
+  [[nodiscard]] bool at_rest() const { return !stepping_ && !part_ && events_.at_rest(); }
   /// Certified rest, per cube.
   [[nodiscard]] const std::vector<char>& resting() const;
   /// What has been booked since it was cleared.
@@ -63,13 +68,19 @@ class Track {
   [[nodiscard]] std::ptrdiff_t piece_at(double t) const;
   void follow_events(double limit);
   [[nodiscard]] std::vector<std::string> moving_names() const;
-  bool rest_from(const State& state, double t, double touching, Bookkeeping& book);
+  bool rest_from(const State& state, double t, double touching, std::vector<char> resting);
+  bool part_from(const State& state, double t, double touching);
+  void advance_part(double limit);
+  void go_on_from(const State& state, double t, double touching, std::vector<char> resting);
+  void rest_there(const State& state, double t);
   void begin_steps(const State& state, double t);
   [[nodiscard]] bool leaves_overlap(const Audit& before);
   void consider_events();
   void hand_over(const State& state, double t);
   void step(double limit);
   void go_on_or_hand_back();
+  void book_closing(const State& closed);
+  bool hand_to_part();
   void hand_back();
 
   const System* system_;
@@ -79,6 +90,8 @@ class Track {
   EventMotion events_;
   std::unique_ptr<ControlledStepping> steps_;  ///< none before the first step
   std::unique_ptr<StepLook> look_;             ///< none before the first look between steps
+  std::unique_ptr<Workspace> work_;      ///< of parts; none before the first one was looked for
+  std::shared_ptr<PartialMotion> part_;  ///< that moves
   Scales scales_;
   bool stepping_ = false;
   std::vector<char> moving_;  ///< nobody rests while stepping

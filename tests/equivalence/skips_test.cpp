@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// Dominoes far enough apart that only neighbours meet: the last ones stand while the first ones fall.
 Scene standing() {
   Scene scene = shipped_scene("dominoes_100");
-  scene.cubes.resize(20);
+  scene.cubes.resize(40);
   return scene;
 }
 

@@ -149,6 +149,15 @@ std::vector<SideMode> find_sides(const System& system,
 
 }  // namespace
 
+IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work) {
+  std::vector<SideUse> use;
+  for (const Contact& c : island.contacts) {
+    const bool rests = contact_motion(*work.system, state, c) == ContactMotion::resting;
+    use.push_back(rests ? SideUse::inequality : SideUse::none);
+  }
+  return accelerations(island, state, use, work);
+}
+
 IslandModes find_modes(const Island& island,
                        const State& state,
                        const Scales& scales,

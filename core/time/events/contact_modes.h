@@ -44,6 +44,9 @@ struct IslandModes {
   bool wedged = false;
 };
 
+/// Accelerations of an island under the contacts that neither open nor close.
+IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work);
+
 /// Contacts of an island that stay closed under Gauss' principle over those that do not open. Where
 /// a force and the gap's acceleration both vanish (the instant of a release), the program is asked
 /// again a moment later, where one of them has a sign. `after_impact`: velocities have just jumped;

@@ -48,16 +48,6 @@ bool touch_each_other(const System& system,
   });
 }
 
-void note_instant(const Instant& now, Bookkeeping& book) {
-  note_overlap(now.deepest.depth, now.deepest.scale, book.audit);
-  book.cost.skipped_rest += now.skipped_rest;
-  book.cost.skipped_free += now.skipped_free;
-  for (const Event& e : now.events) {
-    const auto later = std::ranges::upper_bound(book.events, e.t, {}, &Event::t);
-    book.events.insert(later, e);
-  }
-}
-
 void note_rods(const System& system, const State& state, Bookkeeping& book) {
   if (system.rods.empty()) return;
   double& worst = book.audit.max_rod_error;
@@ -86,8 +76,11 @@ bool EventMotion::start(const State& state,
   FormerPhase before;
   before.modes.resting = std::move(resting);
   Bookkeeping found;
-  begin_phase(state, happen(state, t, before, limits, work_), found);
-  if (overlap() > bearable_overlap(state, phase_.scales())) return false;
+  struck_ = {};
+  Instant now = happen(state, t, before, limits, work_);
+  const bool strikes = !now.blows.empty();
+  begin_phase(state, std::move(now), found);
+  if (strikes || overlap() > bearable_overlap(state, phase_.scales())) return false;
   add(found, book);
   return true;
 }
@@ -123,15 +116,27 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   instant_events_ = ends && instant ? instant_events_ + 1 : 0;
   if (ends) {
     const State end = step.end;
-    begin_phase(end, happen(end, clock_, ended_phase(), {}, work_), book);
-    if (!series_.goes_on()) ++events_;
-    // Events without end at one instant: only positions know what happens next.
-    if (instant_events_ > most_instant_events) modes_.wedged = true;
-  } else {
-    phase_.go_on();
-    geometry_.passed(state());
-    forces_.passed(phase_.loads());
+    Instant now = happen(end, clock_, ended_phase(), {}, work_);
+    if (now.blows.empty()) return take(end, std::move(now), book);
+    struck_ = std::move(now);
   }
+  phase_.go_on();
+  if (ends) return;
+  geometry_.passed(state());
+  forces_.passed(phase_.loads());
+}
+
+/// The motion goes on by what the clock's instant brings to a state.
+void EventMotion::take(const State& state, Instant now, Bookkeeping& book) {
+  begin_phase(state, std::move(now), book);
+  if (!series_.goes_on()) ++events_;
+  // Events without end at one instant: only positions know what happens next.
+  if (instant_events_ > most_instant_events) modes_.wedged = true;
+}
+
+void EventMotion::take_blows(Bookkeeping& book) {
+  const State before = state();
+  take(before, std::exchange(struck_, {}), book);
 }
 
 void EventMotion::rest_for_ever(std::deque<MotionPiece>& pieces) {
@@ -166,7 +171,7 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
     return touch_each_other(*system_, now.modes.closed.touches, names);
   };
   series_.note(now.events, stays, longest_tail * scales_of(*system_, state).time);
-  note_instant(now, book);
+  note_events(now, book);
   if (!now.contradicting.empty()) note_contradiction(*system_, now.contradicting, clock_, book);
   keep_book(std::exchange(work_.solves, {}), book);
   modes_ = std::move(now.modes);
@@ -178,13 +183,7 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   const double way = farthest_way(*system_, state, phase_.state());
   if (way > touching_tolerance * phase_.scales().length && overlap() > 0.0)
     note_overlap(work_.finder.deepest().depth, work_.finder.deepest().scale, book.audit);
-  book.settled += now.settled;
-  book.unexplained += unexplained(*system_, state, phase_.state(), 0.0, now.push + now.settled);
-  // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
-  // closed then, some 1e-10 of a side, may lift cubes as well.
-  const double loss = energy(*system_, state) - energy(*system_, phase_.state());
-  const double lifted = touching_tolerance * phase_.scales().weight * phase_.scales().length;
-  if (loss > -lifted) book.losses.push_back({clock_, loss, false, clock_});
+  note_change(*system_, state, clock_, now, phase_.state(), book);
   geometry_.begin(phase_.state(), modes_.closed, modes_.resting);
   // A load, or a slip, that starts at rounding is watched from where it has left zero.
   forces_.begin(phase_, force_rounding);

@@ -44,12 +44,18 @@ class EventMotion {
   [[nodiscard]] const std::vector<char>& resting() const { return modes_.resting; }
   [[nodiscard]] bool at_rest() const;
   [[nodiscard]] bool wedged() const { return modes_.wedged; }
+  /// Blows, at the clock, to bodies that only stand (Instant::blows). They have not been taken: whether what is struck stands all
+  /// the same others know.
+  [[nodiscard]] const std::map<int, Push>& blows() const { return struck_.blows; }
+  /// Takes them as if to fixed bodies.
+  void take_blows(Bookkeeping& book);
 
  private:
   using FirstEvent = std::variant<GeometricEvents::First, ForceEvents::First>;
 
   void begin_phase(const State& state, Instant now, Bookkeeping& book);
   void close(const State& state);
+  void take(const State& state, Instant now, Bookkeeping& book);
   void rest_for_ever(std::deque<MotionPiece>& pieces);
   void note_step(const SmoothStep& step, Bookkeeping& book);
   void note_momenta(const SmoothStep& step, Bookkeeping& book) const;
@@ -68,6 +74,7 @@ class EventMotion {
   ContactModes modes_;
   ClosedContacts looker_;  ///< for looks between steps
   double clock_ = 0.0;
+  Instant struck_;  ///< where there are blows
   BounceSeries series_;
   long events_ = 0;
   int instant_events_ = 0;  ///< in a row, without time passing

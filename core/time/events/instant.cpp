@@ -50,6 +50,7 @@ void add_impacts(const System& system,
                  EventKind kind,
                  Instant& now) {
   now.push += push_of(system, now.state, island, hit.after);
+  add_pushes_to_standing(system, island, hit.after, now.blows);
   const double least = hit.after.least_pressing();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
@@ -257,6 +258,50 @@ Instant happen(const State& state,
   }
   if (before.known) add_contact_changes(system, before.modes, now.modes, t, now.events);
   return now;
+}
+
+void add_pushes_to_standing(const System& system,
+                            const Island& island,
+                            const IslandSolution& solution,
+                            std::map<int, Push>& pushes) {
+  const auto add = [&](int body, const Vec2& place, const Vec2& p) {
+    const Body& pushed = system.body(body);
+    if (pushed.stands) pushes[body] += {p, det(place - pushed.box.center, p)};
+  };
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (solution.forces[k] == 0.0) continue;
+    const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
+    const Vec2 p = solution.forces[k] * c.normal + side * perp(c.normal);
+    add(c.on, c.point, p);
+    add(c.from, c.point, -p);
+  }
+}
+
+void note_events(const Instant& now, Bookkeeping& book) {
+  note_overlap(now.deepest.depth, now.deepest.scale, book.audit);
+  book.cost.skipped_rest += now.skipped_rest;
+  book.cost.skipped_free += now.skipped_free;
+  for (const Event& e : now.events) {
+    const auto later = std::ranges::upper_bound(book.events, e.t, {}, &Event::t);
+    book.events.insert(later, e);
+  }
+}
+
+void note_change(const System& system,
+                 const State& before,
+                 double t,
+                 const Instant& now,
+                 const State& after,
+                 Bookkeeping& book) {
+  book.settled += now.settled;
+  book.unexplained += unexplained(system, before, after, 0.0, now.push + now.settled);
+  // Impacts take energy, and so does what is put on closed contacts: of wedged cubes a lot. The gaps
+  // closed then, some 1e-10 of a side, may lift cubes as well.
+  const double loss = energy(system, before) - energy(system, after);
+  const Scales scales = scales_of(system, after);
+  const double lifted = touching_tolerance * scales.weight * scales.length;
+  if (loss > -lifted) book.losses.push_back({t, loss, false, t});
 }
 
 }  // namespace wuerfel

@@ -1,6 +1,7 @@
 /// What happens at an instant: who hits whom, and how the motion goes on.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "core/time/bookkeeping.h"
@@ -16,8 +17,10 @@ struct Instant {
   std::vector<int> contradicting;  ///< rods, where nothing was struck
   Push push;                       ///< by fixed bodies, of its impacts
   Push settled;                    ///< by them, where velocities were put on what stays closed
-  long skipped_rest = 0;           ///< islands in certified rest
-  long skipped_free = 0;           ///< cubes that touch nothing
+  std::map<int, Push>
+      blows;              ///< N s, of its impacts to bodies that only stand, about their centres
+  long skipped_rest = 0;  ///< islands in certified rest
+  long skipped_free = 0;  ///< cubes that touch nothing
 };
 
 /// The phase that ends at an instant.
@@ -34,5 +37,21 @@ Instant happen(const State& state,
                const FormerPhase& before,
                const ContactLimits& limits,
                Workspace& work);
+
+/// Adds what forces (N), or impulses (N s), of an island do to bodies that only stand (Body::stands), about their centres.
+void add_pushes_to_standing(const System& system,
+                            const Island& island,
+                            const IslandSolution& solution,
+                            std::map<int, Push>& pushes);
+
+/// Books the events of an instant, and what was left out.
+void note_events(const Instant& now, Bookkeeping& book);
+/// Books what of the energy and the momenta of `before` an instant at time t has changed until `after`, where the motion goes on.
+void note_change(const System& system,
+                 const State& before,
+                 double t,
+                 const Instant& now,
+                 const State& after,
+                 Bookkeeping& book);
 
 }  // namespace wuerfel

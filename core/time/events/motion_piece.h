@@ -9,6 +9,7 @@
 
 namespace wuerfel {
 
+class PartialMotion;
 struct StepRecord;
 
 /// Components of a cube in the vector of a step: x, y, theta, then their rates.
@@ -20,7 +21,7 @@ void unpack(const std::vector<double>& y, State& state);
 
 /// A stretch of a motion, to be looked at anywhere until the next one begins.
 struct MotionPiece {
-  enum class Kind { smooth, stepped, rest };
+  enum class Kind { smooth, stepped, rest, part };
   Kind kind = Kind::smooth;
   double begin = 0.0;   ///< s
   double length = 0.0;  ///< s, of the polynomial; an event may have cut it short
@@ -32,6 +33,7 @@ struct MotionPiece {
   std::shared_ptr<const StepRecord> record;  ///< of a stepped piece
   std::vector<Touch> touches{};              ///< of a smooth piece, closed
   std::vector<char> resting{};               ///< of a smooth piece, per cube, where there are rods
+  std::shared_ptr<PartialMotion> part{};     ///< of a piece in which only a part moves
 };
 
 /// State at a share of a step, not yet projected. `state` must have the right number of cubes.
