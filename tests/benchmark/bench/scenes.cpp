@@ -23,7 +23,8 @@ using Overrides = std::vector<std::string>;
 
 constexpr std::array motions{"flight", "slide", "tilt", "corner_impact", "edge",
                              "ladder", "rider", "drop", "bullet",        "bullet_free"};
-constexpr std::array families{"tower", "pyramid", "wall", "pile", "rubbing_pile", "mass_ratio"};
+constexpr std::array families{"tower",        "pyramid",    "wall",        "pile",
+                              "rubbing_pile", "mass_ratio", "tilt_on_wall"};
 
 std::string content(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -107,12 +108,36 @@ Overrides size_of(std::string_view family, long n) {
   return {fmt::format("cube.heavy.mass={}", n)};
 }
 
+// The cube of `tilt`, without friction, over the middle of a brick: the others, that rub, stand like fixed ground.
+BenchScene tilt_on_wall(const std::string& name, long n) {
+  BenchScene bench = motion("tilt");
+  Scene scene = read("wall", size_of("wall", n));
+  scene.duration = bench.scene.duration;
+  for (SceneCube& brick : scene.cubes)
+    brick.material.friction = 0.6;
+  scene.planes.front().material.friction = 0.6;
+  const Vec2 brick = scene.cubes.back().position;
+  const Vec2 shift(brick.x(), brick.y() + 0.5 * scene.cubes.back().size.y());
+  SceneCube cube = bench.scene.cubes.front();
+  cube.position += shift;
+  scene.cubes.push_back(std::move(cube));
+  State exact = initial_state(scene);
+  exact.back() = bench.exact.front();
+  exact.back().position += shift;
+  bench.name = name;
+  bench.scene = std::move(scene);
+  bench.exact = std::move(exact);
+  bench.event.reset();
+  return bench;
+}
+
 std::optional<BenchScene> member(const std::string& name) {
   const std::size_t split = name.rfind('_');
   if (split == std::string::npos) return std::nullopt;
   const std::string family = name.substr(0, split);
   if (std::ranges::find(families, family) == families.end()) return std::nullopt;
   const auto n = static_cast<long>(parse_positive("--scenes " + family, name.substr(split + 1)));
+  if (family == "tilt_on_wall") return tilt_on_wall(name, n);
   const bool falls = family == "pile" || family == "rubbing_pile";
   Scene scene = read(falls ? "pile" : family, size_of(family, n));
   if (!falls) return standing(name, std::move(scene));
@@ -152,7 +177,7 @@ BenchScene make_bench_scene(std::string_view name) {
   if (auto scene = member(std::string(name))) return std::move(*scene);
   throw UsageError(fmt::format(
       "--scenes: '{}' is unknown; there is {}, overhang, tower_N, pyramid_N, wall_N, pile_N, "
-      "rubbing_pile_N and mass_ratio_N",
+      "rubbing_pile_N, mass_ratio_N and tilt_on_wall_N",
       name, fmt::join(motions, ", ")));
 }
 

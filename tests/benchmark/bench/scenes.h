@@ -33,7 +33,8 @@ std::vector<std::string> bench_motions();
 /// N counts cubes of a tower or pile, rows of a pyramid, rows and columns of a wall.
 std::vector<std::string> bench_stands();
 
-/// A scene by its name; any N is allowed after tower_, pyramid_, wall_, pile_ and mass_ratio_.
+/// A scene by its name; any N is allowed after tower_, pyramid_, wall_, pile_, mass_ratio_ and tilt_on_wall_ (tilt on a wall of N
+/// rows and columns).
 /// Throws UsageError where there is none of that name.
 BenchScene make_bench_scene(std::string_view name);
 
