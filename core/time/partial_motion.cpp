@@ -95,6 +95,12 @@ bool are_few(const std::vector<char>& stands) {
   return std::ranges::count(stands, 0) <= std::min(most_moving, std::ssize(stands) / 2);
 }
 
+/// Of the part no part is made.
+MotionPolicy whole(MotionPolicy policy) {
+  policy.parts = false;
+  return policy;
+}
+
 }  // namespace
 
 bool PartialMotion::few_move(const System& system, const State& state) {
@@ -144,7 +150,7 @@ PartialMotion::~PartialMotion() = default;
 
 bool PartialMotion::begin(double t, const MotionSettings& settings, const MotionPolicy& policy) {
   if (moving_.empty()) return false;
-  track_ = std::make_unique<Track>(system_, settings, policy);
+  track_ = std::make_unique<Track>(system_, settings, whole(policy));
   State part;
   for (const int cube : moving_)
     part.push_back(state_[cube]);

@@ -41,6 +41,8 @@ class PartialMotion {
   void advance(double limit, Bookkeeping& book);
   /// Whether it can be advanced further; else the group has to go on from the clock otherwise.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
+  /// Whether its events crowd, or it is wedged.
+  [[nodiscard]] bool is_stepped() const;
   /// Length of the step that was not taken, s; 0 where that was not why it ended.
   [[nodiscard]] double refused() const { return refused_; }
 
@@ -65,7 +67,6 @@ class PartialMotion {
   void take_over();
   bool withstand(const std::map<int, Push>& pushes, const Vec2& weight);
   [[nodiscard]] int of_group(int body) const;
-  [[nodiscard]] bool is_stepped() const;
   [[nodiscard]] bool are_held();
   [[nodiscard]] State with_others(const State& part) const;
 

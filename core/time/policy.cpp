@@ -25,6 +25,7 @@ MotionPolicy policy_of(const MotionSettings& settings) {
       break;
     case Integrator::rattle:
       policy.only_steps = true;
+      policy.parts = false;
       policy.step = settings.step;
       policy.allowed_error = root;
       policy.sway = sway_share * root;

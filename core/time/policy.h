@@ -16,6 +16,7 @@ struct MotionPolicy {
   bool only_steps = false;  ///< groups are stepped all the time
   bool only_events =
       false;          ///< groups are stepped only where the motion would not get on otherwise
+  bool parts = true;  ///< few cubes of a group may move on others that stand
   double step = 0.0;  ///< s, the only one, or the longest; 0: it follows from the motion
   double allowed_error =
       0.0;  ///< of a step in which groups are stepped, as a share of the smallest side

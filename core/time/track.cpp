@@ -65,7 +65,10 @@ void Track::start(const State& state,
   limits.touching = std::max(touching, limits.touching);
   const bool fits = events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
-  if (fits && (events_.at_rest() || !(policy_.only_steps || events_.wedged()))) return;
+  if (fits && (events_.at_rest() || !(policy_.only_steps || events_.wedged()))) {
+    (void)move_part(touching);
+    return;
+  }
   begin_steps(fits ? events_.state() : state, t);
   const bool settles = system_->rubs || system_->bounces;
   until_ = !policy_.only_steps ? t + crowding_.frame()
@@ -108,7 +111,7 @@ void Track::go_on_from(const State& state, double t, double touching, std::vecto
 
 /// Whether most of the cubes stand, and only the others go on.
 bool Track::part_from(const State& state, double t, double touching) {
-  if (policy_.only_steps) return false;
+  if (!policy_.parts) return false;
   if (!work_) work_ = std::make_unique<Workspace>(*system_, settings_);
   part_ = PartialMotion::find(state, t, touching, settings_, policy_, *work_);
   keep_cost(std::exchange(work_->solves, {}), book_);
@@ -125,8 +128,16 @@ bool Track::part_from(const State& state, double t, double touching) {
   return true;
 }
 
+/// Where forces are many and few cubes move the others need no equations.
+bool Track::move_part(double touching) {
+  return (system_->rubs || system_->bounces) && !events_.at_rest() && events_.redundant()
+         && part_from(events_.state(), events_.clock(), touching);
+}
+
 void Track::advance_part(double limit) {
+  const std::size_t logged = book_.events.size();
   part_->advance(limit, book_);
+  crowding_.count(part_->clock(), static_cast<long>(book_.events.size() - logged), 1);
   const bool rests = part_->goes_on() && part_->at_rest();
   if (part_->goes_on() && !rests) return;
   const std::shared_ptr<PartialMotion> part = std::exchange(part_, nullptr);
@@ -137,8 +148,20 @@ void Track::advance_part(double limit) {
     part_->set_longest_step(0.5 * part->refused());
     return;
   }
-  begin_steps(part->state(), part->clock());
-  until_ = crowding_.frames_after(clock_, longest_step);
+  go_on_after(*part);
+}
+
+/// The whole group moves again.
+void Track::go_on_after(const PartialMotion& part) {
+  if (only_steps_) {
+    begin_steps(part.state(), part.clock());
+    until_ = crowding_.frames_after(clock_, longest_step);
+    return;
+  }
+  const bool fits =
+      !part.is_stepped() && events_.start(part.state(), part.clock(), {}, part.resting(), book_);
+  last_events_ = 0;
+  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : part.state(), part.clock());
 }
 
 /// Nobody moves any more, and all are known to be held.
@@ -234,8 +257,13 @@ void Track::consider_events() {
   if (events_.at_rest()) return;
   const bool touches = !pieces_.back().closed.empty();
   crowding_.count(events_.clock(), events_.events() - last_events_, touches ? 1 : 0);
+  const bool new_phase = events_.events() > last_events_;
   last_events_ = events_.events();
-  if (events_.wedged() || crowding_.crowds()) hand_over(events_.state(), events_.clock());
+  if (events_.wedged() || crowding_.crowds()) {
+    hand_over(events_.state(), events_.clock());
+  } else if (new_phase) {
+    (void)move_part(event_touching);
+  }
 }
 
 void Track::take_blows() {
@@ -292,7 +320,7 @@ void Track::book_closing(const State& closed) {
 }
 
 bool Track::hand_to_part() {
-  if (policy_.only_steps || !PartialMotion::few_move(*system_, steps_->state())) return false;
+  if (!policy_.parts || !PartialMotion::few_move(*system_, steps_->state())) return false;
   const State state = steps_->with_closed_gaps();
   if (!part_from(state, clock_, touching_tolerance)) return false;
   book_closing(state);

@@ -70,7 +70,9 @@ class Track {
   [[nodiscard]] std::vector<std::string> moving_names() const;
   bool rest_from(const State& state, double t, double touching, std::vector<char> resting);
   bool part_from(const State& state, double t, double touching);
+  bool move_part(double touching);
   void advance_part(double limit);
+  void go_on_after(const PartialMotion& part);
   void go_on_from(const State& state, double t, double touching, std::vector<char> resting);
   void rest_there(const State& state, double t);
   void begin_steps(const State& state, double t);

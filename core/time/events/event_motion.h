@@ -44,6 +44,8 @@ class EventMotion {
   [[nodiscard]] const std::vector<char>& resting() const { return modes_.resting; }
   [[nodiscard]] bool at_rest() const;
   [[nodiscard]] bool wedged() const { return modes_.wedged; }
+  /// Whether forces of closed contacts are not the only ones: what becomes of them takes programs to know.
+  [[nodiscard]] bool redundant() const { return phase_.redundant(); }
   /// Blows, at the clock, to bodies that only stand (Instant::blows). They have not been taken: whether what is struck stands all
   /// the same others know.
   [[nodiscard]] const std::map<int, Push>& blows() const { return struck_.blows; }
