@@ -31,7 +31,9 @@ struct Skips {
   bool certificate = true;
   bool warm_start = true;     ///< solvers start from what they remember of the island
   bool resting_steps = true;  ///< no programs in steps for islands that rest, until somebody comes
-  bool looks = true;          ///< forces of what is as it was at the last look are not found again
+  /// What stands while few cubes of its group move, and forces are many, has no equations of motion.
+  bool standing = true;
+  bool looks = true;  ///< forces of what is as it was at the last look are not found again
 };
 
 struct MotionSettings {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/dynamics/missed_programs.h"
 #include "core/qp/coulomb/restitution.h"
@@ -134,20 +135,28 @@ IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
 }
 
 bool FrictionDynamics::rests(const State& still, const Island& island) {
-  return can_hold(still, island, Order::acceleration);
+  return rest(still, island, Order::acceleration).equilibrium();
 }
 
-bool FrictionDynamics::stops(const State& pushed, const Island& island) {
-  return can_hold(pushed, island, Order::velocity);
+std::optional<IslandSolution> FrictionDynamics::stopping(const State& pushed,
+                                                         const Island& island) {
+  RestResult found = rest(pushed, island, Order::velocity);
+  if (!found.equilibrium()) return {};
+  CoulombResult stopped;
+  stopped.status = found.status;
+  stopped.x.assign(builder_.program().unknowns(), 0.0);
+  stopped.multiplier = std::move(found.multiplier);
+  stopped.residual = {};
+  return read(pushed, island, stopped);
 }
 
-bool FrictionDynamics::can_hold(const State& state, const Island& island, Order order) {
+RestResult FrictionDynamics::rest(const State& state, const Island& island, Order order) {
   const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   order == Order::velocity ? builder_.velocity(state, island, use)
                            : builder_.acceleration(state, island, use);
   builder_.add_friction(state, island, use, order);
   if (!rest_) rest_ = std::make_unique<RestProgram>();
-  return rest_->solve(builder_.friction_program()).equilibrium();
+  return rest_->solve(builder_.friction_program());
 }
 
 IslandSolution FrictionDynamics::placement(const State& state,

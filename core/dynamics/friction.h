@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "core/dynamics/gauss.h"
 #include "core/qp/coulomb/coulomb_solver.h"
@@ -38,8 +39,9 @@ class FrictionDynamics {
   /// Whether the island can stay at rest where it is: an equilibrium exists [friction's cone is the
   /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
   bool rests(const State& still, const Island& island);
-  /// The same of impulses: whether contacts can take away at once all the velocities that blows have given to an island at rest.
-  bool stops(const State& pushed, const Island& island);
+  /// Impulses of the contacts that take away at once all the velocities that blows have given to an island at rest; none where
+  /// there are no such impulses.
+  std::optional<IslandSolution> stopping(const State& pushed, const Island& island);
   /// Displacements from `state` nearest to `targets` (one per cube, m and rad) under Coulomb's law
   /// in displacements: no gap below zero, friction against the way that a corner slides. `again`: gaps
   /// have been measured anew since the last one; of more than a few cubes without rods an answer is
@@ -57,7 +59,7 @@ class FrictionDynamics {
  private:
   using Solvers = std::map<int, std::unique_ptr<CoulombSolver>>;
   CoulombSolver& solver_of(const Island& island, Solvers& solvers) const;
-  bool can_hold(const State& state, const Island& island, Order order);
+  RestResult rest(const State& state, const Island& island, Order order);
   [[nodiscard]] IslandSolution read(const State& state,
                                     const Island& island,
                                     const CoulombResult& result) const;

@@ -166,10 +166,12 @@ void PartialMotion::advance(double limit, Bookkeeping& book) {
   goes_on_ = accept(book);
   refused_ = track_->clock() > clock_ ? length : 0.0;
   if (!goes_on_ || track_->blows().empty()) return;
-  goes_on_ = withstand(track_->blows(), Vec2::Zero());
+  const std::optional<std::vector<Event>> passed_on = withstand(track_->blows(), Vec2::Zero());
+  goes_on_ = passed_on.has_value();
   if (!goes_on_) return;
   track_->take_blows();
   goes_on_ = accept(book);
+  if (goes_on_) book.events.insert(book.events.end(), passed_on->begin(), passed_on->end());
 }
 
 /// Whether the others stand where those that move have come; only then it is part of the motion.
@@ -183,9 +185,10 @@ bool PartialMotion::accept(Bookkeeping& book) {
   return !is_stepped();
 }
 
-/// Whether contacts of the others can take away at once what pushes to them, numbered as in the part, and `weight` (per kg) would
-/// make of them.
-bool PartialMotion::withstand(const std::map<int, Push>& pushes, const Vec2& weight) {
+/// How contacts of the others take away at once what pushes to them, numbered as in the part, and `weight` (per kg) would make of
+/// them, as impacts at the clock; none where they cannot.
+std::optional<std::vector<Event>> PartialMotion::withstand(const std::map<int, Push>& pushes,
+                                                           const Vec2& weight) {
   const System& system = *work_->system;
   State pushed = state_;
   std::vector<char> moves(system.count(), 0);
@@ -206,10 +209,15 @@ bool PartialMotion::withstand(const std::map<int, Push>& pushes, const Vec2& wei
   std::erase_if(contacts, [&](const Contact& c) { return moves[c.on] != 0 || moves[c.from] != 0; });
   find_islands(system, contacts, islands);
   add_free_cubes(system, islands);
-  return std::ranges::all_of(islands, [&](const Island& island) {
+  std::vector<Event> events;
+  for (const Island& island : islands) {
     const auto is_unpushed = [&](int cube) { return is_still(pushed[cube]); };
-    return std::ranges::all_of(island.cubes, is_unpushed) || work_->friction.stops(pushed, island);
-  });
+    if (std::ranges::all_of(island.cubes, is_unpushed)) continue;
+    const std::optional<IslandSolution> impulses = work_->friction.stopping(pushed, island);
+    if (!impulses) return {};
+    add_impact_events(system, island, *impulses, clock_, EventKind::impact, events);
+  }
+  return events;
 }
 
 bool PartialMotion::is_stepped() const { return track_->stepping().until >= 0.0; }
@@ -246,7 +254,7 @@ bool PartialMotion::are_held() {
     if (solution.status != QpStatus::optimal) return false;
     add_pushes_to_standing(system_, island, solution, pushes);
   }
-  return withstand(pushes, system_.gravity);
+  return withstand(pushes, system_.gravity).has_value();
 }
 
 State PartialMotion::with_others(const State& part) const {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/time/bookkeeping.h"
@@ -65,7 +66,8 @@ class PartialMotion {
   bool begin(double t, const MotionSettings& settings, const MotionPolicy& policy);
   bool accept(Bookkeeping& book);
   void take_over();
-  bool withstand(const std::map<int, Push>& pushes, const Vec2& weight);
+  std::optional<std::vector<Event>> withstand(const std::map<int, Push>& pushes,
+                                              const Vec2& weight);
   [[nodiscard]] int of_group(int body) const;
   [[nodiscard]] bool are_held();
   [[nodiscard]] State with_others(const State& part) const;

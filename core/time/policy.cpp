@@ -17,6 +17,7 @@ MotionPolicy policy_of(const MotionSettings& settings) {
   const double root = std::sqrt(settings.tolerance);
   MotionPolicy policy;
   policy.allowed_error = crowd_error * root;
+  policy.parts = settings.skips.standing;
   switch (settings.integrator) {
     case Integrator::automatic:
       break;

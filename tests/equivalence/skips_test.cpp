@@ -136,6 +136,44 @@ TEST(Skips, OfStepsOfWhatRestsLeaveEveryBitAsItIs) {
   EXPECT_LT(2 * a.cost().qp_solves, b.cost().qp_solves);
 }
 
+/// A cube tips from a wall that rubs, and a ball falls on it. Forces of the wall are not the only ones, nor asked for.
+TEST(Skips, OfWhatStandsDoesNotChangeTheMotion) {
+  Scene scene = parse_scene(
+      "[[plane]]\n[[wall]]\nbase = [0, 0]\nrows = 2\ncolumns = 3\nsize = [1, 1]\n", "wall");
+  const Vec2 last = scene.cubes.back().position;
+  scene.cubes.push_back(cube("tips", last + Vec2(0.55, 1.0)));
+  scene.cubes.push_back(sized_cube("ball", last + Vec2(-1.2, 1.3), {0.4, 0.4}, 0.3));
+  for (SceneCube& c : scene.cubes)
+    c.material.friction = 0.6;
+  scene.cubes.back().material.friction = 0.0;
+  scene.planes.front().material.friction = 0.6;
+  MotionSettings without;
+  without.skips.standing = false;
+  Simulation a(scene, {});
+  Simulation b(scene, without);
+  for (int k = 1; k <= 10; ++k) {
+    a.advance_to(0.05 * k);
+    b.advance_to(0.05 * k);
+    for (std::size_t i = 0; i < a.states().size(); ++i) {
+      EXPECT_NEAR((a.states()[i].position - b.states()[i].position).norm(), 0.0, same_motion) << i;
+      EXPECT_NEAR(a.states()[i].angle, b.states()[i].angle, same_motion) << i;
+    }
+  }
+  const auto of_ball = [](const Simulation& s) {
+    std::vector<double> times;
+    for (const Event& e : s.events())
+      if (e.on == "ball" || e.from == "ball") times.push_back(e.t);
+    return times;
+  };
+  const std::vector<double> blows = of_ball(a);
+  ASSERT_GE(blows.size(), 2U);
+  ASSERT_EQ(blows.size(), of_ball(b).size());
+  for (std::size_t k = 0; k < blows.size(); ++k)
+    EXPECT_NEAR(blows[k], of_ball(b)[k], same_motion) << k;
+  EXPECT_GT(a.events().size(), blows.size()) << "what stands passes on";
+  EXPECT_LT(2 * a.cost().qp_iterations, b.cost().qp_iterations);
+}
+
 TEST(Skips, AreCountedByReason) {
   Simulation simulation(mixed(), {});
   simulation.advance_to(0.5);

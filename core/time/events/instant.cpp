@@ -42,7 +42,7 @@ void separate(double touching,
   }
 }
 
-/// An impact's events, one per contact that presses.
+/// Takes an impact over: its events, and what it does to fixed bodies and to those that only stand.
 void add_impacts(const System& system,
                  const Island& island,
                  const Impact& hit,
@@ -51,13 +51,7 @@ void add_impacts(const System& system,
                  Instant& now) {
   now.push += push_of(system, now.state, island, hit.after);
   add_pushes_to_standing(system, island, hit.after, now.blows);
-  const double least = hit.after.least_pressing();
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const Contact& c = island.contacts[k];
-    if (hit.after.forces[k] <= least) continue;
-    now.events.push_back(
-        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, hit.after.forces[k]});
-  }
+  add_impact_events(system, island, hit.after, t, kind, now.events);
 }
 
 /// What the first rod of a cube joins it to: a body, or, where that is a place of the world, the rod.
@@ -258,6 +252,21 @@ Instant happen(const State& state,
   }
   if (before.known) add_contact_changes(system, before.modes, now.modes, t, now.events);
   return now;
+}
+
+void add_impact_events(const System& system,
+                       const Island& island,
+                       const IslandSolution& impulses,
+                       double t,
+                       EventKind kind,
+                       std::vector<Event>& events) {
+  const double least = impulses.least_pressing();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (impulses.forces[k] <= least) continue;
+    events.push_back(
+        {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, impulses.forces[k]});
+  }
 }
 
 void add_pushes_to_standing(const System& system,

@@ -38,6 +38,14 @@ Instant happen(const State& state,
                const ContactLimits& limits,
                Workspace& work);
 
+/// Adds events of an impact, one per contact that presses.
+void add_impact_events(const System& system,
+                       const Island& island,
+                       const IslandSolution& impulses,
+                       double t,
+                       EventKind kind,
+                       std::vector<Event>& events);
+
 /// Adds what forces (N), or impulses (N s), of an island do to bodies that only stand (Body::stands), about their centres.
 void add_pushes_to_standing(const System& system,
                             const Island& island,
