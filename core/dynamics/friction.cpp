@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/dynamics/missed_programs.h"
+#include "core/qp/coulomb/held_blocks.h"
 #include "core/qp/coulomb/restitution.h"
 
 namespace wuerfel {
@@ -90,6 +91,7 @@ IslandSolution FrictionDynamics::accelerations(const State& state,
     if (use[k] != SideUse::none) keys.push_back(all[k]);
   }
   solver_of(island, accelerations_).solve(builder_.friction_program(), result, keys);
+  let_stand(builder_.friction_program(), builder_.still_blocks(state, island), result);
   IslandSolution solution = read(state, island, result);
   keep_if_missed(solution);
   return solution;

@@ -24,7 +24,8 @@ class FrictionDynamics {
   void begin_step(double h) { step_ = h; }
 
   /// Accelerations and forces under the contacts that `use` says, one entry per contact. `slides`:
-  /// known directions of slip, else 0. May be infeasible where some are known (Painleve).
+  /// known directions of slip, else 0. May be infeasible where some are known (Painleve). Where solutions differ cubes that stand
+  /// still stay so, if all of them can.
   IslandSolution accelerations(const State& state,
                                const Island& island,
                                std::span<const SideUse> use,

@@ -7,6 +7,7 @@
 #include "core/dynamics/missed_programs.h"
 #include "core/dynamics/verdict.h"
 #include "core/qp/coulomb/coulomb_stages.h"
+#include "core/qp/coulomb/held_blocks.h"
 #include "core/qp/coulomb/rest_program.h"
 
 namespace wuerfel {
@@ -90,6 +91,7 @@ IslandSolution equilibrium(const ProgramBuilder& builder,
 IslandSolution exact_law(const ProgramBuilder& builder, const State& state, const Island& island) {
   CoulombResult result;
   CoulombSolver().solve(builder.friction_program(), result);
+  let_stand(builder.friction_program(), builder.still_blocks(state, island), result);
   if (result.inexact()) MissedProgramListener::tell(builder.friction_program());
   IslandSolution solution = read(builder, state, island, result.x, result.multiplier);
   solution.status = result.status;

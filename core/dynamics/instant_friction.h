@@ -2,7 +2,8 @@
 ///
 /// Where everything is at rest the convex program decides whether an equilibrium exists
 /// (qp/coulomb/rest_program.h); if one does, the island rests in it, although a fall may satisfy the
-/// law as well. Else accelerations are those of the exact law, with the known directions of slip.
+/// law as well. Else accelerations are those of the exact law, with the known directions of slip; of several solutions one
+/// in which the cubes that stand still stay so, if all of them can.
 #pragma once
 
 #include <span>

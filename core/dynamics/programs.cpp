@@ -179,6 +179,14 @@ void ProgramBuilder::add_friction(const State& state,
   }
 }
 
+std::vector<char> ProgramBuilder::still_blocks(const State& state, const Island& island) const {
+  std::vector<char> still(program_.blocks(), 0);
+  if (formulation_ == Formulation::points) return still;
+  for (std::size_t k = 0; k < island.cubes.size(); ++k)
+    still[k] = is_still(state[island.cubes[k]]) ? 1 : 0;
+  return still;
+}
+
 void ProgramBuilder::acceleration(const State& state,
                                   const Island& island,
                                   std::span<const SideUse> use) {

@@ -67,6 +67,9 @@ class ProgramBuilder {
   [[nodiscard]] const std::vector<int>& friction_contact() const { return friction_contact_; }
 
   [[nodiscard]] const QuadraticProgram& program() const { return program_; }
+  /// Per block of the program whether it is that of a cube which stands still at `state`, to the bit. Of points none: they are held
+  /// together by rods.
+  [[nodiscard]] std::vector<char> still_blocks(const State& state, const Island& island) const;
   /// Number of the row of the first rod between bodies; they come in the island's order.
   [[nodiscard]] int first_rod_row() const { return first_rod_row_; }
   /// Number of the row of the first contact: that many rods come before it.

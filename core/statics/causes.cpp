@@ -6,6 +6,7 @@
 #include "core/geometry/union_find.h"
 #include "core/model/scales.h"
 #include "core/statics/margins.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -60,10 +61,6 @@ Certificate certify(const StillScene& still) {
       certificate.worst_closing = std::min(certificate.worst_closing, rate);
   }
   return certificate;
-}
-
-void add_once(int body, std::vector<int>& bodies) {
-  if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
 }
 
 /// The body at the other side of a contact of a part.

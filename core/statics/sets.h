@@ -10,9 +10,9 @@ inline bool has(const std::vector<int>& ascending, int cube) {
   return std::ranges::binary_search(ascending, cube);
 }
 
-/// Adds a contact that is not there yet.
-inline void add_once(int contact, std::vector<int>& contacts) {
-  if (std::ranges::find(contacts, contact) == contacts.end()) contacts.push_back(contact);
+/// Adds a number that is not there yet.
+inline void add_once(int number, std::vector<int>& numbers) {
+  if (std::ranges::find(numbers, number) == numbers.end()) numbers.push_back(number);
 }
 
 }  // namespace wuerfel

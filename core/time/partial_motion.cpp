@@ -26,13 +26,25 @@ std::vector<Island> islands_at(const State& state, double touching, Workspace& w
   return islands;
 }
 
-/// Takes the mark off those of an island that are not held where they are; false where accelerations are not known.
+/// Takes the mark off those of an island that are not held where they are; false where accelerations are not known. An island of
+/// which all stand rests, or it does not; `at_rest` are those that do, by their first cubes.
 bool unmark_accelerated(const Island& island,
                         const State& state,
                         Workspace& work,
+                        std::map<int, std::vector<int>>& at_rest,
                         std::vector<char>& stands) {
   const auto is_marked = [&](int cube) { return stands[cube] != 0; };
-  if (std::ranges::none_of(island.cubes, is_marked)) return true;
+  const auto marked = std::ranges::count_if(island.cubes, is_marked);
+  if (marked == 0) return true;
+  const bool all = marked == std::ssize(island.cubes);
+  if (all) {
+    std::vector<int>& known = at_rest[island.cubes.front()];
+    if (known == island.cubes) return true;
+    if (rests(island, state, scales_of(*work.system, state), {}, work)) {
+      known = island.cubes;
+      return true;
+    }
+  }
   const IslandSolution solution = accelerations_at(island, state, work);
   if (solution.status != QpStatus::optimal) return false;
   const double most = falls_above * scales_of(*work.system, state).gravity;
@@ -40,7 +52,7 @@ bool unmark_accelerated(const Island& island,
     const int cube = island.cubes[k];
     if (size_of(work.system->body(cube), solution.twists[k]) > most) stands[cube] = 0;
   }
-  return true;
+  return !(all && std::ranges::all_of(island.cubes, is_marked));
 }
 
 /// What is joined by rods stands or moves together.
@@ -59,12 +71,13 @@ void unmark_joined(const System& system, std::vector<char>& stands) {
 bool unmark_moving(const std::vector<Island>& islands,
                    const State& state,
                    Workspace& work,
+                   std::map<int, std::vector<int>>& at_rest,
                    std::vector<char>& stands) {
   std::vector<char> touched(state.size(), 0);
   for (const Island& island : islands) {
     for (const int cube : island.cubes)
       touched[cube] = 1;
-    if (!unmark_accelerated(island, state, work, stands)) return false;
+    if (!unmark_accelerated(island, state, work, at_rest, stands)) return false;
   }
   for (std::size_t i = 0; i < state.size(); ++i)
     if (touched[i] == 0) stands[i] = 0;
@@ -121,13 +134,13 @@ std::unique_ptr<PartialMotion> PartialMotion::find(const State& state,
     stop(still[cube]);
   const std::vector<Island> islands = islands_at(still, touching, work);
   const auto is_struck = [&](const Island& island) { return closes(system, still, island); };
-  if (std::ranges::any_of(islands, is_struck) || !unmark_moving(islands, still, work, stands)
-      || !are_few(stands))
+  std::map<int, std::vector<int>> at_rest;
+  if (std::ranges::any_of(islands, is_struck)
+      || !unmark_moving(islands, still, work, at_rest, stands) || !are_few(stands))
     return {};
   for (const int cube : marked(stands, false))
     still[cube] = state[cube];
-  std::unique_ptr<PartialMotion> part(
-      new PartialMotion(still, std::move(stands), touching, settings, work));
+  std::unique_ptr<PartialMotion> part(new PartialMotion(still, std::move(stands), touching, work));
   if (!part->begin(t, settings, policy)) part.reset();
   return part;
 }
@@ -135,14 +148,12 @@ std::unique_ptr<PartialMotion> PartialMotion::find(const State& state,
 PartialMotion::PartialMotion(const State& state,
                              std::vector<char> stands,
                              double touching,
-                             const MotionSettings& settings,
                              Workspace& work)
     : work_(&work),
       touching_(std::max(touching, event_touching)),
       moving_(marked(stands, false)),
       standing_(marked(stands, true)),
       system_(part_on(*work.system, moving_, standing_, state)),
-      part_work_(system_, settings),
       state_(state),
       resting_(std::move(stands)) {}
 
@@ -166,7 +177,7 @@ void PartialMotion::advance(double limit, Bookkeeping& book) {
   goes_on_ = accept(book);
   refused_ = track_->clock() > clock_ ? length : 0.0;
   if (!goes_on_ || track_->blows().empty()) return;
-  const std::optional<std::vector<Event>> passed_on = withstand(track_->blows(), Vec2::Zero());
+  const std::optional<std::vector<Event>> passed_on = withstand(track_->blows());
   goes_on_ = passed_on.has_value();
   if (!goes_on_) return;
   track_->take_blows();
@@ -178,17 +189,15 @@ void PartialMotion::advance(double limit, Bookkeeping& book) {
 bool PartialMotion::accept(Bookkeeping& book) {
   const bool stand = are_held();
   keep_cost(std::exchange(work_->solves, {}), book);
-  keep_cost(std::exchange(part_work_.solves, {}), book);
   if (!stand) return false;
   add(std::exchange(track_->book(), {}), book);
   take_over();
   return !is_stepped();
 }
 
-/// How contacts of the others take away at once what pushes to them, numbered as in the part, and `weight` (per kg) would make of
-/// them, as impacts at the clock; none where they cannot.
-std::optional<std::vector<Event>> PartialMotion::withstand(const std::map<int, Push>& pushes,
-                                                           const Vec2& weight) {
+/// How contacts of the others take away at once what blows to them, numbered as in the part, would make of them, as impacts at the
+/// clock; none where they cannot.
+std::optional<std::vector<Event>> PartialMotion::withstand(const std::map<int, Push>& blows) {
   const System& system = *work_->system;
   State pushed = state_;
   std::vector<char> moves(system.count(), 0);
@@ -196,12 +205,10 @@ std::optional<std::vector<Event>> PartialMotion::withstand(const std::map<int, P
     moves[cube] = 1;
     stop(pushed[cube]);
   }
-  for (const int cube : standing_)
-    pushed[cube].velocity = weight;
-  for (const auto& [number, push] : pushes) {
+  for (const auto& [number, blow] : blows) {
     const int cube = of_group(number);
-    pushed[cube].velocity += push.linear / system.body(cube).mass;
-    pushed[cube].spin += push.angular / system.body(cube).inertia;
+    pushed[cube].velocity = blow.linear / system.body(cube).mass;
+    pushed[cube].spin = blow.angular / system.body(cube).inertia;
   }
   std::vector<Contact> contacts;
   std::vector<Island> islands;
@@ -237,24 +244,15 @@ void PartialMotion::take_over() {
     resting_[moving_[k]] = track_->resting()[k];
 }
 
-/// Whether there are forces that hold the others where they are: the program of all says so, or, for it may have other solutions,
-/// those of the part do not push them too much.
+/// Whether there are forces that hold the others where they are, and those of the part that rest.
 bool PartialMotion::are_held() {
-  std::vector<char> stands(state_.size(), 0);
-  for (const int cube : standing_)
-    stands[cube] = 1;
+  std::vector<char> rest = resting_;
+  for (std::size_t k = 0; k < moving_.size(); ++k)
+    rest[moving_[k]] = track_->resting()[k];
+  std::vector<char> stands = rest;
   const State state = with_others(track_->state());
-  const auto stands_still = [&](int cube) { return stands[cube] != 0; };
-  if (unmark_moving(islands_at(state, touching_, *work_), state, *work_, stands)
-      && std::ranges::all_of(standing_, stands_still))
-    return true;
-  std::map<int, Push> pushes;
-  for (const Island& island : islands_at(track_->state(), touching_, part_work_)) {
-    const IslandSolution solution = accelerations_at(island, track_->state(), part_work_);
-    if (solution.status != QpStatus::optimal) return false;
-    add_pushes_to_standing(system_, island, solution, pushes);
-  }
-  return withstand(pushes, system_.gravity).has_value();
+  return unmark_moving(islands_at(state, touching_, *work_), state, *work_, at_rest_, stands)
+         && stands == rest;
 }
 
 State PartialMotion::with_others(const State& part) const {

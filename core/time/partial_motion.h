@@ -58,16 +58,11 @@ class PartialMotion {
   void sweep(double t, std::vector<BoundingBox>& bounds) const;
 
  private:
-  PartialMotion(const State& state,
-                std::vector<char> stands,
-                double touching,
-                const MotionSettings& settings,
-                Workspace& work);
+  PartialMotion(const State& state, std::vector<char> stands, double touching, Workspace& work);
   bool begin(double t, const MotionSettings& settings, const MotionPolicy& policy);
   bool accept(Bookkeeping& book);
   void take_over();
-  std::optional<std::vector<Event>> withstand(const std::map<int, Push>& pushes,
-                                              const Vec2& weight);
+  std::optional<std::vector<Event>> withstand(const std::map<int, Push>& blows);
   [[nodiscard]] int of_group(int body) const;
   [[nodiscard]] bool are_held();
   [[nodiscard]] State with_others(const State& part) const;
@@ -76,8 +71,7 @@ class PartialMotion {
   double touching_;          ///< share of the smaller side up to which bodies touch
   std::vector<int> moving_;  ///< cubes of the group, ascending
   std::vector<int> standing_;
-  System system_;        ///< of those that move, on the others
-  Workspace part_work_;  ///< of the same
+  System system_;  ///< of those that move, on the others
   std::unique_ptr<Track> track_;
   bool goes_on_ = true;
   double longest_step_ = std::numeric_limits<double>::infinity();  ///< s
@@ -85,6 +79,8 @@ class PartialMotion {
   double clock_ = 0.0;         ///< s, up to which the others are known to stand
   State state_;                ///< of the group, there
   std::vector<char> resting_;  ///< per cube of the group
+  std::map<int, std::vector<int>>
+      at_rest_;  ///< islands of which all are known to stand, by their first cubes
 };
 
 }  // namespace wuerfel

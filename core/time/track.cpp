@@ -22,6 +22,8 @@ constexpr int most_rubbing_cubes = 12;
 constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
 constexpr int looks_per_piece = 4;
+/// Frames after which it is asked again whether what stands is held, at the latest: what gives way for less goes unseen.
+constexpr double held_for = 1.0;
 
 }  // namespace
 
@@ -104,18 +106,20 @@ Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
 
 /// A large group goes on from a state: it rests, most of it stands, or it is stepped.
 void Track::go_on_from(const State& state, double t, double touching, std::vector<char> resting) {
-  if (rest_from(state, t, touching, std::move(resting)) || part_from(state, t, touching)) return;
+  if (rest_from(state, t, touching, std::move(resting)) || part_from(state, t, touching, held_for))
+    return;
   begin_steps(state, t);
   until_ = t + longest_step * crowding_.frame();
 }
 
-/// Whether most of the cubes stand, and only the others go on.
-bool Track::part_from(const State& state, double t, double touching) {
+/// Whether most of the cubes stand, and only the others go on, in steps of at most so many frames.
+bool Track::part_from(const State& state, double t, double touching, double longest) {
   if (!policy_.parts) return false;
   if (!work_) work_ = std::make_unique<Workspace>(*system_, settings_);
   part_ = PartialMotion::find(state, t, touching, settings_, policy_, *work_);
   keep_cost(std::exchange(work_->solves, {}), book_);
   if (!part_) return false;
+  part_->set_longest_step(longest * crowding_.frame());
   const State& begun = part_->state();
   book_.losses.push_back({t, energy(*system_, state) - energy(*system_, begun), false, t});
   book_.settled += unexplained(*system_, state, begun, 0.0, {});
@@ -131,7 +135,7 @@ bool Track::part_from(const State& state, double t, double touching) {
 /// Where forces are many and few cubes move the others need no equations.
 bool Track::move_part(double touching) {
   return (system_->rubs || system_->bounces) && !events_.at_rest() && events_.redundant()
-         && part_from(events_.state(), events_.clock(), touching);
+         && part_from(events_.state(), events_.clock(), touching, held_for);
 }
 
 void Track::advance_part(double limit) {
@@ -143,11 +147,8 @@ void Track::advance_part(double limit) {
   const std::shared_ptr<PartialMotion> part = std::exchange(part_, nullptr);
   if (rests) return rest_there(part->state(), part->clock());
   // Somewhere in that step the others give way: as near to it as steps begin.
-  if (part->refused() > first_step * crowding_.frame()
-      && part_from(part->state(), part->clock(), touching_tolerance)) {
-    part_->set_longest_step(0.5 * part->refused());
-    return;
-  }
+  const bool far = part->refused() > 0.5 * (first_step + held_for) * crowding_.frame();
+  if (far && part_from(part->state(), part->clock(), touching_tolerance, first_step)) return;
   go_on_after(*part);
 }
 
@@ -322,7 +323,7 @@ void Track::book_closing(const State& closed) {
 bool Track::hand_to_part() {
   if (!policy_.parts || !PartialMotion::few_move(*system_, steps_->state())) return false;
   const State state = steps_->with_closed_gaps();
-  if (!part_from(state, clock_, touching_tolerance)) return false;
+  if (!part_from(state, clock_, touching_tolerance, held_for)) return false;
   book_closing(state);
   return true;
 }

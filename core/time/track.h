@@ -69,7 +69,7 @@ class Track {
   void follow_events(double limit);
   [[nodiscard]] std::vector<std::string> moving_names() const;
   bool rest_from(const State& state, double t, double touching, std::vector<char> resting);
-  bool part_from(const State& state, double t, double touching);
+  bool part_from(const State& state, double t, double touching, double longest);
   bool move_part(double touching);
   void advance_part(double limit);
   void go_on_after(const PartialMotion& part);
