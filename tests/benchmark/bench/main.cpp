@@ -37,10 +37,10 @@ void declare(BenchOptions& asked, Options& options) {
         names.push_back(name);
     };
   };
-  options.value(
-      "--scenes", "A,B,..",
-      "flight, tilt, ..., overhang, tower_N, pyramid_N, wall_N, pile_N, mass_ratio_N [all]",
-      list_into(asked.scenes));
+  options.value("--scenes", "A,B,..",
+                "flight, tilt, ..., overhang, tower_N, pyramid_N, wall_N, pile_N, mass_ratio_N, "
+                "tilt_on_wall_N [all]",
+                list_into(asked.scenes));
   options.value("--methods", "A,B,..",
                 "INTEGRATOR[/FORMULATION[/SOLVER]], such as event or symplectic/points [all]",
                 list_into(asked.methods));
