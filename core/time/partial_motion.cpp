@@ -180,8 +180,7 @@ void PartialMotion::advance(double limit, Bookkeeping& book) {
   const std::optional<std::vector<Event>> passed_on = withstand(track_->blows());
   goes_on_ = passed_on.has_value();
   if (!goes_on_) return;
-  track_->take_blows();
-  goes_on_ = accept(book);
+  goes_on_ = track_->take_blows() && accept(book);
   if (goes_on_) book.events.insert(book.events.end(), passed_on->begin(), passed_on->end());
 }
 

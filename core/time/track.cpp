@@ -267,9 +267,10 @@ void Track::consider_events() {
   }
 }
 
-void Track::take_blows() {
+bool Track::take_blows() {
   events_.take_blows(book_);
   consider_events();
+  return book_.audit.max_overlap <= bearable_overlap(events_.state(), scales_);
 }
 
 void Track::hand_over(const State& state, double t) {

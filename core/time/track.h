@@ -55,7 +55,8 @@ class Track {
 
   /// Blows to what only stands, at the clock: see EventMotion.
   [[nodiscard]] const std::map<int, Push>& blows() const { return events_.blows(); }
-  void take_blows();
+  /// Takes them; false where that leaves overlap: the motion has to go on otherwise from before.
+  [[nodiscard]] bool take_blows();
   [[nodiscard]] bool at_rest() const { return !stepping_ && !part_ && events_.at_rest(); }
   /// Certified rest, per cube.
   [[nodiscard]] const std::vector<char>& resting() const;

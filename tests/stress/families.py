@@ -5,7 +5,7 @@ import math
 from case import OVER_BUDGET, Case, Outcome
 from gallery import cube, gallery, scene
 from random_scenes import random_scene
-from rubbing import bounces, friction, momentum, random_events, random_joined, random_rubbing, seams
+from rubbing import bounces, friction, momentum, random_events, random_joined, random_rubbing, random_standing, seams
 
 EPS = 2.0**-52
 GRAVITY = 9.81
@@ -245,6 +245,8 @@ def families(reference):
         Family("random_rubbing", "scenes", list(range(60)), list(range(10000)), random_rubbing, collection=True,
                known=("random_rubbing 9733",)),
         Family("random_joined", "scenes", BROKEN_ONCE, list(range(200000, 210000)), random_joined, collection=True),
+        Family("random_standing", "scenes", [*range(60), 2802, 7741, 8173, 9956], list(range(10000)), random_standing, collection=True,
+               known=("random_standing 4471",)),
         Family("random_events", "scenes", [40, 61, 133, 256], list(range(1000)), random_events, collection=True),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle across a gap",)),

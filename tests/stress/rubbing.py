@@ -98,6 +98,45 @@ def random_rubbing(seed):
     return [Case(rubs(random_scene(int(seed)), mu, draw.choice([0, 0, 0, 0.3, 0.9])))]
 
 
+def standing_bricks(draw):
+    """A wall, a pyramid, columns or stairs of unit cubes that stand by themselves."""
+    kind = draw.choice(["wall", "pyramid", "columns", "stairs"])
+    columns, rows = draw.randint(2, 8), draw.randint(2, 6)
+
+    def place(row, column):
+        shift = {"wall": 0.5 * (row % 2), "pyramid": 0.5 * row, "columns": 0.2 * column, "stairs": 0.0}[kind]
+        return [column + 0.5 + shift, row + 0.5]
+    there = {"pyramid": lambda row, column: column < columns - row, "stairs": lambda row, column: row <= column}.get(kind, lambda row, column: True)
+    return [{"name": f"w{row}_{column}", "position": place(row, column)}
+            for row in range(rows) for column in range(columns) if there(row, column)]
+
+
+def random_standing(seed):
+    """Few cubes that tip from what stands, slide against it, fall on it or are thrown at it."""
+    draw = random.Random(f"standing {int(seed)}")
+    bricks = standing_bricks(draw)
+    highest = max(y + 0.5 for _, y in (b["position"] for b in bricks))
+    right = max(x + 0.5 for x, y in (b["position"] for b in bricks) if y + 0.5 == highest)
+    movers = []
+    for k in range(draw.randint(1, 3)):
+        side = draw.choice([0.3, 0.5, 1.0])
+        mover = {"name": f"m{k}", "size": side, "mass": draw.choice([side**2, 0.1, 5.0])}
+        how = draw.choice(["tips", "slides", "falls", "flies"])
+        if how == "tips" and k == 0:
+            mover["position"] = [right + draw.uniform(0.0, 0.2) * side, highest + 0.5 * side]
+        elif how == "slides":
+            mover |= {"position": [-1.5 - 2.0 * k, 0.5 * side], "velocity": [draw.uniform(0.5, 4.0), 0.0]}
+        elif how == "falls":
+            mover |= {"position": [draw.uniform(0.0, right), highest + 1.5 + 2.0 * k], "angle": draw.uniform(-1.0, 1.0)}
+        else:
+            mover |= {"position": [-2.0 - 2.0 * k, draw.uniform(1.0, highest)], "velocity": [draw.uniform(1.0, 6.0), draw.uniform(0.0, 3.0)],
+                      "angle": draw.uniform(-1.0, 1.0), "spin": draw.uniform(-3.0, 3.0)}
+        movers.append(mover)
+    cubes = bricks + movers
+    a_scene = {"version": 1, "duration": 1.0, "plane": [{"name": "floor"}], "cube": cubes}
+    return [Case(rubs(a_scene, draw.choice([0.3, 0.5, 0.6, 1.0]), draw.choice([0, 0, 0, 0.3, 0.8])))]
+
+
 def random_events(seed):
     """The same from event to event, without end at one instant in some valleys."""
     return [Case(case.scene, ("--integrator", "event")) for case in random_rubbing(seed)]

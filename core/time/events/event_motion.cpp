@@ -118,6 +118,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
     const State end = step.end;
     Instant now = happen(end, clock_, ended_phase(), {}, work_);
     if (now.blows.empty()) return take(end, std::move(now), book);
+    note_overlap(now.deepest.depth, now.deepest.scale, book.audit);
     struck_ = std::move(now);
   }
   phase_.go_on();
