@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/dynamics/impact.h"
-#include "core/dynamics/momentum_balance.h"
 #include "core/dynamics/verdict.h"
 #include "core/model/system_part.h"
 #include "core/time/events/contact_modes.h"
@@ -17,14 +16,6 @@ namespace {
 /// So many cubes may move, and no more than half of the group. What more of them bring about on top of others are events without end:
 /// with 12 the house of cards took ten times as long as in steps.
 constexpr std::ptrdiff_t most_moving = 6;
-
-std::vector<Island> islands_at(const State& state, double touching, Workspace& work) {
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(*work.system, state, contacts, touching);
-  find_islands(*work.system, contacts, work.finder.touches(), islands);
-  return islands;
-}
 
 /// Takes the mark off those of an island that are not held where they are; false where accelerations are not known. An island of
 /// which all stand rests, or it does not; `at_rest` are those that do, by their first cubes.

@@ -149,6 +149,14 @@ std::vector<SideMode> find_sides(const System& system,
 
 }  // namespace
 
+std::vector<Island> islands_at(const State& state, double touching, Workspace& work) {
+  std::vector<Contact> contacts;
+  std::vector<Island> islands;
+  work.finder.find(*work.system, state, contacts, touching);
+  find_islands(*work.system, contacts, work.finder.touches(), islands);
+  return islands;
+}
+
 IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work) {
   std::vector<SideUse> use;
   for (const Contact& c : island.contacts) {
@@ -218,10 +226,7 @@ bool rests(const Island& island,
 bool would_rest(const State& state, const ContactLimits& limits, Workspace& work) {
   const System& system = *work.system;
   const Scales scales = scales_of(system, state);
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(system, state, contacts, limits.touching);
-  find_islands(system, contacts, work.finder.touches(), islands);
+  const std::vector<Island> islands = islands_at(state, limits.touching, work);
   std::size_t touching = 0;
   for (const Island& island : islands)
     touching += island.cubes.size();

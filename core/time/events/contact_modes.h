@@ -44,6 +44,9 @@ struct IslandModes {
   bool wedged = false;
 };
 
+/// Islands of what touches at a state, up to a share of the smaller side.
+std::vector<Island> islands_at(const State& state, double touching, Workspace& work);
+
 /// Accelerations of an island under the contacts that neither open nor close.
 IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work);
 
