@@ -171,18 +171,23 @@ bool IslandRanges::may_carry(int row) {
   return sum(of_rows).high > pressing_share * std::max(largest, unit_);
 }
 
-int IslandRanges::degree() {
+int IslandRanges::degree(const std::vector<std::vector<int>>& faces) {
   std::vector<char> carries(used_.size(), 0);
-  int count = 0;
+  std::vector<int> edges(of_.island.contacts.size(), 0);  // that carry
   for (int row = 0; row < generators_.program.rows(); ++row) {
     if (used_[row] == 0 || !may_carry(row)) continue;
     carries[row] = 1;
-    ++count;
+    if (const int contact = generators_.share[row].contact; contact >= 0) ++edges[contact];
   }
-  if (count == 0) return 0;
+  if (std::ranges::count(carries, 1) == 0) return 0;
   EqualitySolver solver;
   solver.factorise(generators_.program, &carries);
-  return solver.dependent_rows();
+  int degree = solver.dependent_rows();
+  for (const std::vector<int>& face : faces) {
+    const auto sticking = std::ranges::count_if(face, [&](int k) { return edges[k] == 2; });
+    degree -= std::max(0, static_cast<int>(sticking) - 1);
+  }
+  return degree;
 }
 
 }  // namespace wuerfel

@@ -19,7 +19,8 @@ class IslandRanges {
   LoadRange force(const std::vector<int>& contacts);
   /// Of the centre of pressure of these contacts, at `place` (m) each.
   LoadRange center(const std::vector<int>& contacts, const std::vector<double>& place);
-  [[nodiscard]] int degree();
+  /// Of hyperstaticity; flush sides, of which these are the contacts, have one tangential force.
+  [[nodiscard]] int degree(const std::vector<std::vector<int>>& faces);
 
  private:
   void drop_what_departs();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/momentum.h"
@@ -105,13 +106,18 @@ void add_island(const StillScene& still,
                                                                : ranges.force({k}));
     result.error = std::max(result.error, result.contacts.back().error);
   }
-  for (Face& face : find_faces(of.island)) {
+  std::vector<Face> faces = find_faces(of.island);
+  for (Face& face : faces) {
     if (!is_asked(request, face.seen.on, face.seen.from)) continue;
     add_resultant(of, face);
     add_face_ranges(ranges, std::ranges::all_of(face.contacts, is_unique), face);
     result.interfaces.push_back(face.seen);
   }
-  if (request.degree) result.degree += ranges.degree();
+  if (!request.degree) return;
+  std::vector<std::vector<int>> contacts;
+  for (Face& face : faces)
+    contacts.push_back(std::move(face.contacts));
+  result.degree += ranges.degree(contacts);
 }
 
 }  // namespace

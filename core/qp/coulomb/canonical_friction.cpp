@@ -1,7 +1,9 @@
 #include "core/qp/coulomb/canonical_friction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "core/qp/block/quad_vector.h"
 #include "core/qp/coulomb/contact_form.h"
@@ -16,7 +18,10 @@ constexpr int most_rounds = 100;
 constexpr double exact_balance = 1e-14;
 constexpr double good_balance = 1e-8;
 constexpr double same_force = 1e-7;  ///< of the largest
-constexpr int wishes = 3;            ///< and their opposites, of the search for other forces
+/// Of the largest force: wishes of other ones, each with its opposite. Far ones lead to the ends of what is possible, near ones often
+/// back to the forces of least norm.
+constexpr std::array wish_sizes{1.0, 30.0, 1000.0};
+constexpr double same_row = 1e-9;
 
 enum class Cone : signed char { nothing, free, half_line, edge, cone };
 /// Where on its cone a projection falls.
@@ -247,6 +252,51 @@ NearestForces nearest(ForceProblem& p, const std::vector<Pair>& wish) {
   return {std::move(at.l), misfit};
 }
 
+/// Whether tangential forces of two units act alike: both are of the same flush sides.
+bool act_alike(const ContactForm& form, const ContactUnit& a, const ContactUnit& b) {
+  const int size = a.last - a.first;
+  if (size != b.last - b.first
+      || !std::equal(form.blocks_of(a), form.blocks_of(a) + size, form.blocks_of(b)))
+    return false;
+  double apart = 0.0;
+  for (int e = 0; e < size; ++e) {
+    for (int c = 0; c < 3; ++c) {
+      const double d = form.entries(a)[e].t.v[c] - form.entries(b)[e].t.v[c];
+      apart += d * d;
+    }
+  }
+  return apart <= same_row * same_row * a.square.t;
+}
+
+/// Per unit the first one whose tangential force acts as its own.
+std::vector<int> first_alike(const ContactForm& form) {
+  std::vector<int> first(form.count());
+  std::multimap<int, int> of_block;  // by first blocks
+  for (int i = 0; i < form.count(); ++i) {
+    const ContactUnit& unit = form.units()[i];
+    first[i] = i;
+    if (unit.tangent < 0) continue;
+    const auto [begin, end] = of_block.equal_range(*form.blocks_of(unit));
+    const auto same = std::find_if(
+        begin, end, [&](const auto& k) { return act_alike(form, form.units()[k.second], unit); });
+    if (same == end) {
+      of_block.emplace(*form.blocks_of(unit), i);
+    } else {
+      first[i] = same->second;
+    }
+  }
+  return first;
+}
+
+/// Of flush sides only the sum of tangential forces is one: it is put to the first of them.
+std::vector<Pair> with_sums(std::vector<Pair> l, const std::vector<int>& first) {
+  for (std::size_t i = 0; i < l.size(); ++i)
+    if (first[i] != static_cast<int>(i)) l[first[i]].t += l[i].t;
+  for (std::size_t i = 0; i < l.size(); ++i)
+    l[i].t = l[first[i]].t;
+  return l;
+}
+
 /// Forces that are by more than `least` N away from the canonical ones are not the only ones.
 void mark_moved(const std::vector<Pair>& l,
                 const std::vector<Pair>& canonical,
@@ -259,24 +309,38 @@ void mark_moved(const std::vector<Pair>& l,
   }
 }
 
-/// A force is the only one possible if wishes of other ones do not move it.
-std::vector<bool> find_unique(ForceProblem& p, const std::vector<Pair>& canonical) {
+/// Whether any of the marked units may carry something.
+bool any_carries(const ForceProblem& p, const std::vector<bool>& marked) {
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i] && p.cone[i] != Cone::nothing) return true;
+  return false;
+}
+
+/// A force is the only one possible if wishes of other ones do not move it, and are granted.
+std::vector<bool> find_unique(ForceProblem& p, const std::vector<Pair>& least) {
+  const std::vector<int> first = first_alike(p.form);
+  const std::vector<Pair> canonical = with_sums(least, first);
   double force = 0.0;
   for (const Pair& l : canonical)
     force = std::max({force, std::abs(l.n), std::abs(l.t)});
   std::vector<bool> unique(canonical.size(), true);
   Dice dice(canonical.size());
   std::vector<Pair> wish(canonical.size());
-  for (int k = 0; k < wishes; ++k) {
+  bool searched = false;
+  for (const double size : wish_sizes) {
+    if (!any_carries(p, unique)) break;
     for (Pair& w : wish)
-      w = {force * (2.0 * dice.next() - 1.0), force * (2.0 * dice.next() - 1.0)};
+      w = {size * force * (2.0 * dice.next() - 1.0), size * force * (2.0 * dice.next() - 1.0)};
     for (int opposite = 0; opposite < 2; ++opposite) {
       const NearestForces other = nearest(p, wish);
-      if (other.misfit <= good_balance) mark_moved(other.l, canonical, same_force * force, unique);
+      searched = searched || other.misfit <= good_balance;
+      if (other.misfit <= good_balance)
+        mark_moved(with_sums(other.l, first), canonical, same_force * force, unique);
       for (Pair& w : wish)
         w = {-w.n, -w.t};
     }
   }
+  if (!searched) unique.assign(unique.size(), false);
   return unique;
 }
 

@@ -19,7 +19,8 @@ namespace wuerfel {
 
 struct CanonicalForces {
   std::vector<double> multiplier;  ///< m
-  /// One per contact, then one per row of no contact: no other force is possible there.
+  /// One per contact, then one per row of no contact: no other normal force is possible there, and no other tangential one
+  /// together with contacts whose tangential forces act alike (of flush sides).
   std::vector<bool> unique;
   double misfit = 0.0;  ///< |s - G' l| / |s|; above 1e-8 the given multipliers are returned
 };

@@ -87,12 +87,54 @@ TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
   const ForceRanges ranges = find_ranges(still_scene(scene, {}));
   ASSERT_EQ(ranges.interfaces.size(), 1U);
   const Interface& face = ranges.interfaces.front();
-  // Self-stress along the floor moves nothing along the normal.
+  // Flush sides have one tangential force, whatever its corners take of it.
   EXPECT_NEAR(face.force_range.low, g, exact_share * g);
   EXPECT_NEAR(face.force_range.high, g, exact_share * g);
   EXPECT_NEAR(face.center_range.low, 0.0, exact_share);
   EXPECT_NEAR(face.center_range.high, 0.0, exact_share);
-  EXPECT_EQ(ranges.degree, 1);
+  EXPECT_EQ(ranges.degree, 0);
+  const StillScene still = still_scene(scene, {});
+  for (const char unique : still.found.islands.front().forces.unique)
+    EXPECT_NE(unique, 0);
+}
+
+/// A bar of 3 m by 0.2 m that leans against a rough wall, `angle` above the floor.
+Scene ladder(double angle, double mu) {
+  const Vec2 centre(1.5 * std::cos(angle) + 0.1 * std::sin(angle),
+                    1.5 * std::sin(angle) + 0.1 * std::cos(angle));
+  Scene scene = on_floor({sized_cube("bar", centre, {3.0, 0.2}, -angle)});
+  scene.planes.push_back({"wall", Vec2::Zero(), Vec2::UnitX(), {}});
+  return with_friction(scene, mu);
+}
+
+// T at the wall is free between its edges and what the floor holds: N a + T b = W c about the foot.
+TEST(ForceRanges, OfALadderOnARoughWallAreThoseByHand) {
+  int compared = 0;
+  for (const double angle : {0.7, 0.9, 1.0471975511965976, 1.2}) {
+    for (const double mu : {0.45, 0.5, 0.8}) {
+      const StillScene still = still_scene(ladder(angle, mu), {});
+      const double a = 3.0 * std::sin(angle);
+      const double b = 3.0 * std::cos(angle);
+      const double c = 1.5 * std::cos(angle) - 0.1 * std::sin(angle);
+      const double low = g * c / (a + mu * b);
+      // The floor holds N <= mu (W - T).
+      const double of_floor = mu * (g - g * c / b) / (1.0 - mu * a / b);
+      const bool floor_holds_all = 1.0 - mu * a / b <= 0.0;
+      const double of_edge = a > mu * b ? g * c / (a - mu * b) : 1e9;
+      const double high = floor_holds_all ? of_edge : std::min(of_edge, of_floor);
+      if (low > high - 1e-3) continue;  // it slips
+      ++compared;
+      const ForceRanges ranges = find_ranges(still, {});
+      ASSERT_EQ(ranges.interfaces.size(), 2U);
+      const Interface& wall = ranges.interfaces[ranges.interfaces[0].normal.x() > 0.5 ? 0 : 1];
+      EXPECT_NEAR(wall.force_range.low, low, 1e-8 * g) << angle << ' ' << mu;
+      EXPECT_NEAR(wall.force_range.high, high, 1e-8 * g) << angle << ' ' << mu;
+      EXPECT_EQ(ranges.degree, 1);
+      for (const char unique : still.found.islands.front().forces.unique)
+        EXPECT_EQ(unique, 0) << angle << ' ' << mu;
+    }
+  }
+  EXPECT_GE(compared, 6);
 }
 
 // In a hyperstatic wall the center of pressure may run over a part of a face.
