@@ -140,6 +140,26 @@ bool FrictionDynamics::rests(const State& still, const Island& island) {
   return rest(still, island, Order::acceleration).equilibrium();
 }
 
+/// Forces that do this hold at rest what is pulled the other way besides.
+bool FrictionDynamics::bears(const State& state,
+                             const Island& island,
+                             std::span<const SideUse> use,
+                             std::span<const int> slides,
+                             std::span<const Twist> accelerations) {
+  ProgramBuilder builder(*system_, Formulation::rigid);
+  builder.acceleration(state, island, use);
+  builder.add_friction(state, island, use, Order::acceleration, slides);
+  QuadraticProgram program = builder.program();
+  for (std::size_t k = 0; k < island.cubes.size(); ++k) {
+    const Twist& a = accelerations[k];
+    program.target[3 * k] -= a.linear.x();
+    program.target[3 * k + 1] -= a.linear.y();
+    program.target[3 * k + 2] -= a.angular;
+  }
+  if (!rest_) rest_ = std::make_unique<RestProgram>();
+  return rest_->solve({program, builder.friction_program().contacts}).equilibrium();
+}
+
 std::optional<IslandSolution> FrictionDynamics::stopping(const State& pushed,
                                                          const Island& island) {
   RestResult found = rest(pushed, island, Order::velocity);

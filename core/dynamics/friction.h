@@ -40,6 +40,13 @@ class FrictionDynamics {
   /// Whether the island can stay at rest where it is: an equilibrium exists [friction's cone is the
   /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
   bool rests(const State& still, const Island& island);
+  /// Whether the contacts that `use` says have forces under which the cubes accelerate as given, one of each per cube: what slips
+  /// rubs against its slip, `slides`.
+  bool bears(const State& state,
+             const Island& island,
+             std::span<const SideUse> use,
+             std::span<const int> slides,
+             std::span<const Twist> accelerations);
   /// Impulses of the contacts that take away at once all the velocities that blows have given to an island at rest; none where
   /// there are no such impulses.
   std::optional<IslandSolution> stopping(const State& pushed, const Island& island);

@@ -156,8 +156,9 @@ class FallSearch {
     stages_.point.reset(stages_.form());
     stages_.take(start_);
     if (!stage(result)) return false;
-    return std::ranges::any_of(result.x,
-                               [&](double a) { return std::abs(a) > falls_above * scale_; });
+    for (int i = 0; i < friction_.program.unknowns(); ++i)
+      if (std::abs(result.x[i]) * friction_.program.unit(i) > falls_above * scale_) return true;
+    return false;
   }
 
   const FrictionProgram friction_;

@@ -16,6 +16,7 @@
 /// so that friction needs no second problem type. Nothing here knows of cubes.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -57,6 +58,11 @@ struct QuadraticProgram {
   }
   [[nodiscard]] std::span<const double> entry(int e) const {
     return std::span<const double>(coefficients.data() + e * block_size, block_size);
+  }
+
+  /// An unknown times this is alike the first one of its block: an angle becomes a length.
+  [[nodiscard]] double unit(int unknown) const {
+    return std::sqrt(mass[unknown] / mass[unknown - unknown % block_size]);
   }
 
   /// start + J x of a row; `x` of size n.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/dynamics/impact.h"
+#include "core/dynamics/instant_friction.h"
 #include "core/dynamics/verdict.h"
 #include "core/model/system_part.h"
 #include "core/time/events/contact_modes.h"
@@ -18,24 +19,16 @@ namespace {
 constexpr std::ptrdiff_t most_moving = 6;
 
 /// Takes the mark off those of an island that are not held where they are; false where accelerations are not known. An island of
-/// which all stand rests, or it does not; `at_rest` are those that do, by their first cubes.
+/// which all stand rests, or it does not.
 bool unmark_accelerated(const Island& island,
                         const State& state,
                         Workspace& work,
-                        std::map<int, std::vector<int>>& at_rest,
                         std::vector<char>& stands) {
   const auto is_marked = [&](int cube) { return stands[cube] != 0; };
   const auto marked = std::ranges::count_if(island.cubes, is_marked);
   if (marked == 0) return true;
   const bool all = marked == std::ssize(island.cubes);
-  if (all) {
-    std::vector<int>& known = at_rest[island.cubes.front()];
-    if (known == island.cubes) return true;
-    if (rests(island, state, scales_of(*work.system, state), {}, work)) {
-      known = island.cubes;
-      return true;
-    }
-  }
+  if (all && rests(island, state, scales_of(*work.system, state), {}, work)) return true;
   const IslandSolution solution = accelerations_at(island, state, work);
   if (solution.status != QpStatus::optimal) return false;
   const double most = falls_above * scales_of(*work.system, state).gravity;
@@ -62,13 +55,12 @@ void unmark_joined(const System& system, std::vector<char>& stands) {
 bool unmark_moving(const std::vector<Island>& islands,
                    const State& state,
                    Workspace& work,
-                   std::map<int, std::vector<int>>& at_rest,
                    std::vector<char>& stands) {
   std::vector<char> touched(state.size(), 0);
   for (const Island& island : islands) {
     for (const int cube : island.cubes)
       touched[cube] = 1;
-    if (!unmark_accelerated(island, state, work, at_rest, stands)) return false;
+    if (!unmark_accelerated(island, state, work, stands)) return false;
   }
   for (std::size_t i = 0; i < state.size(); ++i)
     if (touched[i] == 0) stands[i] = 0;
@@ -125,9 +117,8 @@ std::unique_ptr<PartialMotion> PartialMotion::find(const State& state,
     stop(still[cube]);
   const std::vector<Island> islands = islands_at(still, touching, work);
   const auto is_struck = [&](const Island& island) { return closes(system, still, island); };
-  std::map<int, std::vector<int>> at_rest;
-  if (std::ranges::any_of(islands, is_struck)
-      || !unmark_moving(islands, still, work, at_rest, stands) || !are_few(stands))
+  if (std::ranges::any_of(islands, is_struck) || !unmark_moving(islands, still, work, stands)
+      || !are_few(stands))
     return {};
   for (const int cube : marked(stands, false))
     still[cube] = state[cube];
@@ -234,15 +225,47 @@ void PartialMotion::take_over() {
     resting_[moving_[k]] = track_->resting()[k];
 }
 
-/// Whether there are forces that hold the others where they are, and those of the part that rest.
+/// Whether there are forces that hold the others where they are, and those of the part that rest, and under which the part moves
+/// as it does: of a plank under which a cube slides it knows nothing.
 bool PartialMotion::are_held() {
-  std::vector<char> rest = resting_;
-  for (std::size_t k = 0; k < moving_.size(); ++k)
-    rest[moving_[k]] = track_->resting()[k];
-  std::vector<char> stands = rest;
+  std::vector<char> loose(state_.size(), 1);
+  std::vector<Twist> accelerations(state_.size());
+  for (const int cube : standing_)
+    loose[cube] = 0;
+  for (std::size_t k = 0; k < moving_.size(); ++k) {
+    loose[moving_[k]] = track_->resting()[k] == 0 ? 1 : 0;
+    if (loose[moving_[k]] != 0)
+      accelerations[moving_[k]] = track_->acceleration(static_cast<int>(k));
+  }
   const State state = with_others(track_->state());
-  return unmark_moving(islands_at(state, touching_, *work_), state, *work_, at_rest_, stands)
-         && stands == rest;
+  std::vector<char> touched = loose;
+  for (const Island& island : islands_at(state, touching_, *work_)) {
+    for (const int cube : island.cubes)
+      touched[cube] = 1;
+    if (!is_held(island, state, loose, accelerations)) return false;
+  }
+  return std::ranges::find(touched, 0) == touched.end();
+}
+
+bool PartialMotion::is_held(const Island& island,
+                            const State& state,
+                            const std::vector<char>& loose,
+                            const std::vector<Twist>& accelerations) {
+  const System& system = *work_->system;
+  const auto moves = [&](int cube) { return loose[cube] != 0; };
+  if (std::ranges::all_of(island.cubes, moves)) return true;
+  if (std::ranges::none_of(island.cubes, moves)) {
+    std::vector<int>& known = at_rest_[island.cubes.front()];
+    if (known == island.cubes) return true;
+    if (!rests(island, state, scales_of(system, state), {}, *work_)) return false;
+    known = island.cubes;
+    return true;
+  }
+  std::vector<Twist> of_cubes;
+  for (const int cube : island.cubes)
+    of_cubes.push_back(accelerations[cube]);
+  return work_->friction.bears(state, island, resting_uses(system, state, island),
+                               known_slips(system, state, island, rate_tolerance), of_cubes);
 }
 
 State PartialMotion::with_others(const State& part) const {

@@ -65,6 +65,10 @@ class PartialMotion {
   std::optional<std::vector<Event>> withstand(const std::map<int, Push>& blows);
   [[nodiscard]] int of_group(int body) const;
   [[nodiscard]] bool are_held();
+  [[nodiscard]] bool is_held(const Island& island,
+                             const State& state,
+                             const std::vector<char>& loose,
+                             const std::vector<Twist>& accelerations);
   [[nodiscard]] State with_others(const State& part) const;
 
   Workspace* work_;          ///< of the group

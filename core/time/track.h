@@ -55,6 +55,8 @@ class Track {
 
   /// Blows to what only stands, at the clock: see EventMotion.
   [[nodiscard]] const std::map<int, Push>& blows() const { return events_.blows(); }
+  /// At the clock of a motion by events.
+  [[nodiscard]] Twist acceleration(int cube) const { return events_.acceleration(cube); }
   /// Takes them; false where that leaves overlap: the motion has to go on otherwise from before.
   [[nodiscard]] bool take_blows();
   [[nodiscard]] bool at_rest() const { return !stepping_ && !part_ && events_.at_rest(); }

@@ -70,6 +70,51 @@ TEST(Incline, StopsASlipUphillWhereItHolds) {
   EXPECT_TRUE(simulation.states()[0].velocity.isZero(0.0));
 }
 
+// | +----------+
+// |/|    b     |     A block that leans on a rough wall, and a sled that slides away under it, as if the block had no weight where
+// | +----------+     forces of least squares were asked, which pull at the wall.
+// | <- |   sled   |
+TEST(Sliding, AccelerationsOfManyForcesAreThoseOfSomeThatTheLawAllows) {
+  const double mu = 0.7;
+  Scene scene = with_friction(on_floor({sized_cube("sled", {1.7, 0.13}, {2.4, 0.26}),
+                                        sized_cube("b", {1.0, 0.51}, {2.0, 0.5})}),
+                              mu);
+  scene.planes[0].material.friction = 0.0;
+  scene.planes.push_back({"wall", Vec2::Zero(), Vec2::UnitX(), {mu, 0.0}});
+  scene.cubes[0].velocity = {-3.0, 0.0};
+  scene.cubes[1].mass = 3.0;
+  Simulation simulation(scene, {});
+  simulation.advance_to(0.02);
+  // The wall takes mu N, of which its friction, up or down, takes mu^2 N at most.
+  const double a = (simulation.states()[0].velocity.x() + 3.0) / 0.02;
+  EXPECT_GE(a, mu * 3.0 * g / (1.0 + mu * mu));
+  EXPECT_LE(a, mu * 3.0 * g / (1.0 - mu * mu));
+  EXPECT_TRUE(simulation.states()[1].velocity.isZero(1e-9));
+}
+
+// A corner that stays closed slips, whatever the other one of its side, which opens, is called.
+TEST(Rocking, MirrorsItself) {
+  for (const double friction : {0.05, 0.1, 0.2}) {
+    Scene scene =
+        with_friction(on_floor({sized_cube("a", Vec2::Zero(), {1.0, 2.0}, 0.05)}), friction);
+    scene.cubes[0].position.y() = 0.5 * std::sin(0.05) + std::cos(0.05);
+    Simulation one(scene, {});
+    Simulation other(mirrored(scene), {});
+    for (int k = 1; k <= 20; ++k) {
+      one.advance_to(0.02 * k);
+      other.advance_to(0.02 * k);
+      const BodyState& a = one.states()[0];
+      const BodyState& b = other.states()[0];
+      EXPECT_NEAR(a.position.x(), -b.position.x(), 1e-10) << friction << ' ' << k;
+      EXPECT_NEAR(a.position.y(), b.position.y(), 1e-10);
+      EXPECT_NEAR(a.angle, -b.angle, 1e-10);
+    }
+    if (friction == 0.1) {
+      EXPECT_NEAR(one.states()[0].position.x(), 0.0154068890632, 1e-9);  // it has come to rest
+    }
+  }
+}
+
 TEST(Sliding, TakesNothingWhereNothingPresses) {
   //        ^ 3 m/s
   // +---+---+---+    the outer ones stand and rub the floor: forces that squeeze the middle one would balance, too

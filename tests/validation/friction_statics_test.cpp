@@ -170,6 +170,11 @@ TEST(FrictionFacts, AreThreeApart) {
   EXPECT_TRUE(shaft.facts->equilibrium_exists);
   EXPECT_FALSE(shaft.facts->stands_without_friction);
   EXPECT_TRUE(shaft.facts->fall_also_possible);
+  for (const double side : {1e-9, 1e-5, 1e5}) {
+    Scene grain = with_friction(on_floor({sized_cube("a", {0.0, 0.5 * side}, {side, side})}), 0.4);
+    grain.gravity = Vec2(0.2 * -g, -g);
+    EXPECT_FALSE(check_as(grain).facts->fall_also_possible) << side;
+  }
   const Check held = check_as(read_reference_case("friction_ladder_stands").scene);
   EXPECT_TRUE(held.facts->equilibrium_exists);
   EXPECT_FALSE(held.facts->stands_without_friction);

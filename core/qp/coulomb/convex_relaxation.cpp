@@ -63,10 +63,11 @@ void ConvexRelaxation::add_row(const QuadraticProgram& p, int row, double factor
   }
 }
 
-/// Rows  J_n +- mu J_t >= b_n +- mu b_t, scaled.
+/// Rows  J_n +- mu J_t >= b_n +- mu b_t, scaled; of a contact that is known to slip the edge against its slip.
 void ConvexRelaxation::add_edges(const QuadraticProgram& p, const FrictionContact& contact) {
   const double scale = edge_scale(contact.mu);
   for (const double sign : {1.0, -1.0}) {
+    if (sign * contact.slides > 0.0) continue;
     const double f = sign * contact.mu * scale;
     block_.clear();
     coefficients_.clear();
@@ -89,10 +90,14 @@ void ConvexRelaxation::read(const FrictionProgram& friction) {
   for (const FrictionContact& contact : friction.contacts) {
     if (!has_cone(contact)) continue;
     const double scale = edge_scale(contact.mu);
-    const double plus = scale * result_.multiplier[next++];
-    const double minus = scale * result_.multiplier[next++];
-    multiplier_[contact.normal] = plus + minus;
-    multiplier_[contact.tangent] = contact.mu * (plus - minus);
+    double along = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+      if (sign * contact.slides > 0.0) continue;
+      const double force = scale * result_.multiplier[next++];
+      multiplier_[contact.normal] += force;
+      along += sign * force;
+    }
+    multiplier_[contact.tangent] = contact.mu * along;
   }
 }
 

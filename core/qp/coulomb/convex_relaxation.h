@@ -13,8 +13,7 @@ namespace wuerfel {
 class ConvexRelaxation {
  public:
   explicit ConvexRelaxation(double tolerance);
-  /// Contacts whose direction of slip is known count as free. The status is that of the convex
-  /// program.
+  /// Of contacts whose direction of slip is known only the edge against it is there. The status is that of the convex program.
   QpStatus solve(const FrictionProgram& friction);
   void forget() { solver_->forget(); }
 

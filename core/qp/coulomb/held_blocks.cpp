@@ -84,7 +84,8 @@ bool stay_at_zero(const FrictionProgram& friction,
   if (result.status != QpStatus::optimal) return false;
   const double most = zero_share * CoulombJudge().measure_scales(friction.program).velocity;
   for (int i = 0; i < friction.program.unknowns(); ++i) {
-    if (still[i / friction.program.block_size] != 0 && std::abs(result.x[i]) > most) return false;
+    const double size = std::abs(result.x[i]) * friction.program.unit(i);
+    if (still[i / friction.program.block_size] != 0 && size > most) return false;
   }
   return true;
 }

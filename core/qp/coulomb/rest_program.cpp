@@ -16,10 +16,8 @@ RestResult RestProgram::solve(const FrictionProgram& friction) {
   double largest = 0.0;
   double scale = 0.0;
   for (int j = 0; j < program_.unknowns(); ++j) {
-    const int first = j - j % program_.block_size;
-    const double unit = std::sqrt(program_.mass[j] / program_.mass[first]);
-    largest = std::max(largest, std::abs(result.acceleration[j]) * unit);
-    scale = std::max(scale, std::abs(program_.target[j]) * unit);
+    largest = std::max(largest, std::abs(result.acceleration[j]) * program_.unit(j));
+    scale = std::max(scale, std::abs(program_.target[j]) * program_.unit(j));
   }
   result.size = scale > 0.0 ? largest / scale : 0.0;
   return result;

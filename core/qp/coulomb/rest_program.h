@@ -26,8 +26,8 @@ struct RestResult {
 
 class RestProgram {
  public:
-  /// `friction` at acceleration level, everything at rest: bounds are not looked at, nor known
-  /// directions of slip. Rods and rows without friction take part.
+  /// `friction` at acceleration level, everything at rest: bounds are not looked at. What is known to slip is held by the edge
+  /// against its slip. Rods and rows without friction take part.
   RestResult solve(const FrictionProgram& friction);
 
  private:

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "core/dynamics/forces.h"
 #include "core/dynamics/instant_friction.h"
 #include "core/dynamics/projection.h"
 #include "core/dynamics/verdict.h"
@@ -76,11 +78,22 @@ std::pair<double, double> forces_on(const Touch& touch, const IslandSolution& so
   return {normal, along};
 }
 
+/// The contact of a touch that is nearest to staying closed: how fast others slip is not known where they open.
+int staying(const Touch& touch, const IslandSolution& solution) {
+  const auto first = solution.slacks.begin() + touch.first;
+  return static_cast<int>(std::min_element(first, first + touch.count) - solution.slacks.begin());
+}
+
+/// How fast a touch begins to slip, m/s^2.
+double begins_to_slip(const Touch& touch, const IslandSolution& solution) {
+  return solution.slips[staying(touch, solution)];
+}
+
 /// Whether a touch that does not slip yet is just held, with all its friction.
 bool is_just_held(const Touch& touch, const IslandSolution& solution, double force, double rate) {
   const auto [normal, along] = forces_on(touch, solution);
   const double margin = touch.surface.friction * normal - std::abs(along);
-  return normal > force && margin <= force && std::abs(solution.slips[touch.first]) <= rate;
+  return normal > force && margin <= force && std::abs(begins_to_slip(touch, solution)) <= rate;
 }
 
 /// Whether some contact neither presses nor opens, or neither sticks nor slips.
@@ -98,7 +111,7 @@ bool is_undecided(const Island& island,
       return true;
   }
   return std::ranges::any_of(island.touches, [&](const Touch& touch) {
-    return touch.surface.friction > 0.0 && use[touch.first] != SideUse::none
+    return touch.surface.friction > 0.0 && use[staying(touch, solution)] != SideUse::none
            && is_just_held(touch, solution, undecided_share * largest, undecided_share * gravity);
   });
 }
@@ -135,7 +148,7 @@ std::vector<SideMode> find_sides(const System& system,
   std::vector<SideMode> sides;
   for (const Touch& touch : island.touches) {
     SideMode mode{false, known[touch.first], false};
-    const double begins = solution.slips[touch.first];
+    const double begins = begins_to_slip(touch, solution);
     if (touch.surface.friction > 0.0 && mode.slips == 0) {
       mode.sticks = std::abs(begins) <= limit;
       if (!mode.sticks) mode.slips = begins > 0.0 ? 1 : -1;
@@ -157,13 +170,17 @@ std::vector<Island> islands_at(const State& state, double touching, Workspace& w
   return islands;
 }
 
-IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work) {
+std::vector<SideUse> resting_uses(const System& system, const State& state, const Island& island) {
   std::vector<SideUse> use;
   for (const Contact& c : island.contacts) {
-    const bool rests = contact_motion(*work.system, state, c) == ContactMotion::resting;
+    const bool rests = contact_motion(system, state, c) == ContactMotion::resting;
     use.push_back(rests ? SideUse::inequality : SideUse::none);
   }
-  return accelerations(island, state, use, work);
+  return use;
+}
+
+IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work) {
+  return accelerations(island, state, resting_uses(*work.system, state, island), work);
 }
 
 IslandModes find_modes(const Island& island,
@@ -264,8 +281,38 @@ bool would_let_go(const State& state, const ContactSet& closed, double most, Wor
     const IslandSolution solution = accelerations(island, state, use, work);
     if (std::ranges::max(solution.slacks) > most) return true;
     return std::ranges::any_of(island.touches, [&](const Touch& touch) {
-      return touch.sticks && std::abs(solution.slips[touch.first]) > most;
+      return touch.sticks && std::abs(begins_to_slip(touch, solution)) > most;
     });
+  });
+}
+
+bool has_lawful_forces(const State& state,
+                       const ContactSet& closed,
+                       const std::function<Twist(int cube)>& acceleration,
+                       const BorneForces& borne,
+                       double most,
+                       Workspace& work) {
+  std::map<ContactId, std::size_t> number;
+  for (std::size_t k = 0; k < closed.contacts.size(); ++k)
+    number[closed.contacts[k].id()] = k;
+  std::vector<Island> islands;
+  find_islands(*work.system, closed.contacts, closed.touches, islands);
+  return std::ranges::all_of(islands, [&](const Island& island) {
+    if (island.contacts.empty() || !island.rods.empty()) return true;
+    IslandSolution solution;
+    for (const Contact& c : island.contacts) {
+      solution.forces.push_back(borne.normal[number.at(c.id())]);
+      solution.tangential.push_back(borne.along[number.at(c.id())]);
+    }
+    solution.slacks.assign(island.contacts.size(), 0.0);
+    std::vector<Twist> accelerations;
+    for (const int cube : island.cubes)
+      accelerations.push_back(acceleration(cube));
+    const std::vector<int> slides = known_slips(*work.system, state, island, rate_tolerance);
+    return canonical_forces_with_friction(*work.system, state, island, slides, accelerations,
+                                          solution, Uniqueness::ignored)
+               .residual
+           <= most;
   });
 }
 

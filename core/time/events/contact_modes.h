@@ -1,6 +1,8 @@
 /// Contact modes: which contacts stay closed after an event, and which open.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/model/scales.h"
@@ -47,7 +49,10 @@ struct IslandModes {
 /// Islands of what touches at a state, up to a share of the smaller side.
 std::vector<Island> islands_at(const State& state, double touching, Workspace& work);
 
-/// Accelerations of an island under the contacts that neither open nor close.
+/// The contacts of an island that neither open nor close, as inequalities.
+std::vector<SideUse> resting_uses(const System& system, const State& state, const Island& island);
+
+/// Accelerations of an island under them.
 IslandSolution accelerations_at(const Island& island, const State& state, Workspace& work);
 
 /// Contacts of an island that stay closed under Gauss' principle over those that do not open. Where
@@ -79,5 +84,19 @@ bool would_rest(const State& state, const ContactLimits& limits, Workspace& work
 bool would_open(const State& state, std::span<const Touch> closed, double most, Workspace& work);
 /// The same where contacts rub: whether a gap would open, or what sticks would slip.
 bool would_let_go(const State& state, const ContactSet& closed, double most, Workspace& work);
+
+/// Forces of closed contacts, one of each per contact, N.
+struct BorneForces {
+  std::span<const double> normal;
+  std::vector<double> along;
+};
+/// Whether these accelerations have forces that Coulomb's law allows: those that contacts bear, or, where contacts depend on one
+/// another, others that do the same. `most`: relative residual of the law. Islands with rods are not looked at.
+bool has_lawful_forces(const State& state,
+                       const ContactSet& closed,
+                       const std::function<Twist(int cube)>& acceleration,
+                       const BorneForces& borne,
+                       double most,
+                       Workspace& work);
 
 }  // namespace wuerfel

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/dynamics/momentum.h"
@@ -28,6 +29,8 @@ constexpr double trusted_share = 0.01;
 constexpr int most_newton_steps = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double ahead_share = 1e-6;
+/// Forces break Coulomb's law whose residual is more than this.
+constexpr double lawful_share = 1e-6;
 /// What is left of bouncing when a contact no longer bounces takes less than a frame, in units of L / V.
 constexpr double longest_tail = 1.0 / frames_per_time;
 
@@ -123,6 +126,7 @@ void EventMotion::advance(double limit, std::deque<MotionPiece>& pieces, Bookkee
   }
   phase_.go_on();
   if (ends) return;
+  if (breaks_law()) modes_.wedged = true;
   geometry_.passed(state());
   forces_.passed(phase_.loads());
 }
@@ -199,7 +203,25 @@ void EventMotion::close(const State& state) {
   phase_.begin(state, modes_.closed, modes_.resting, tolerance_);
   if (phase_.redundant() && drop_idle(modes_.closed))
     phase_.begin(state, modes_.closed, modes_.resting, tolerance_);
-  if (phase_.friction_drives()) modes_.wedged = true;
+  if (phase_.friction_drives() || breaks_law()) modes_.wedged = true;
+}
+
+/// Whether forces that are not the only ones, of contacts that slip, lead to accelerations that Coulomb's law does not have: some
+/// pull, or are beyond their friction, and no others do the same.
+bool EventMotion::breaks_law() {
+  const EquationsOfMotion& equations = phase_.equations();
+  if (!phase_.redundant() || !equations.slips()) return false;
+  const std::span<const double> loads(phase_.loads());
+  const double rounding = force_rounding * phase_.scales().weight;
+  const auto pulls = [&](double load) { return load < -rounding; };
+  if (std::ranges::none_of(loads.first(equations.first_slip(phase_.loads())), pulls)) return false;
+  // Putting states on contacts has left other forces than these.
+  std::vector<double> same;
+  phase_.loads_at(phase_.state(), same);
+  return !has_lawful_forces(
+      phase_.state(), phase_.closed(), [&](int cube) { return phase_.acceleration(cube); },
+      {equations.forces(), equations.rubbing().along_sides(equations.forces())}, lawful_share,
+      work_);
 }
 
 /// The first event within a step.

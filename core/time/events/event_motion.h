@@ -46,6 +46,8 @@ class EventMotion {
   [[nodiscard]] bool wedged() const { return modes_.wedged; }
   /// Whether forces of closed contacts are not the only ones: what becomes of them takes programs to know.
   [[nodiscard]] bool redundant() const { return phase_.redundant(); }
+  /// At the clock, while the phase lasts.
+  [[nodiscard]] Twist acceleration(int cube) const { return phase_.acceleration(cube); }
   /// Blows, at the clock, to bodies that only stand (Instant::blows). They have not been taken: whether what is struck stands all
   /// the same others know.
   [[nodiscard]] const std::map<int, Push>& blows() const { return struck_.blows; }
@@ -57,6 +59,7 @@ class EventMotion {
 
   void begin_phase(const State& state, Instant now, Bookkeeping& book);
   void close(const State& state);
+  [[nodiscard]] bool breaks_law();
   void take(const State& state, Instant now, Bookkeeping& book);
   void rest_for_ever(std::deque<MotionPiece>& pieces);
   void note_step(const SmoothStep& step, Bookkeeping& book);

@@ -242,6 +242,8 @@ void SmoothPhase::go_on() {
   push_ = end_push_;
 }
 
+Twist SmoothPhase::acceleration(int cube) const { return acceleration_of(rate_, cube); }
+
 void SmoothPhase::loads_at(const State& state, std::vector<double>& loads) {
   std::vector<double> y;
   std::vector<double> rate;

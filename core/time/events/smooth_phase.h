@@ -58,6 +58,7 @@ class SmoothPhase {
   /// State at the beginning of the next step, and what the contacts bear there.
   [[nodiscard]] const State& state() const { return start_; }
   [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
+  [[nodiscard]] Twist acceleration(int cube) const;
   [[nodiscard]] const EquationsOfMotion& equations() const { return equations_; }
   /// The closed contacts, as they are at the last state that was asked for.
   [[nodiscard]] ContactSet closed() const { return {equations_.contacts(), equations_.touches()}; }

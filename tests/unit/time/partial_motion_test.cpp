@@ -84,6 +84,24 @@ TEST(PartialMotion, ACubeSlidesOverSeamsAsOverABox) {
               1e-9);
 }
 
+//  +-----------------+
+//  |      plank      |    It stands on a, and presses on b, which slides away under it.
+//  +-----------------+
+//   | a |       | b |->
+TEST(PartialMotion, NothingSlidesUnderALoadAsWithoutIt) {
+  Scene scene = on_floor(
+      {cube("a", {0.0, 0.5}), cube("b", {4.0, 0.5}), sized_cube("plank", {2.0, 1.25}, {6.0, 0.5})});
+  scene.cubes[1].velocity = {1.0, 0.0};
+  scene.cubes[2].mass = 10.0;
+  set_friction(0.2, scene);
+  scene.cubes[0].material.friction = 3.2;  // 0.8 of each pair
+  Simulation simulation(scene, {});
+  simulation.advance_to(0.02);
+  // Where the plank stands, b bears 10 g 1.5 / 4 at least, and rubs on both sides.
+  const double least = 0.2 * (g + 2.0 * 10.0 * g * 1.5 / 4.0);
+  EXPECT_LE(simulation.states()[1].velocity.x(), 1.0 - 0.02 * least);
+}
+
 TEST(PartialMotion, AWallWithstandsABlow) {
   // Without friction its impulses go straight down, and leave a column by the floor.
   SceneCube ball = cube("a", {1.66, 5.8}, 0.3);
