@@ -117,8 +117,8 @@ void ContactFinder::find(const System& system,
     touch.surface = system.surface(touch.on, touch.from);
 }
 
-void ContactFinder::note(double separation, double scale, int a, int b) {
-  if (-separation > deepest_.depth) deepest_ = {-separation, scale, a, b};
+void ContactFinder::note(double separation, double scale) {
+  if (-separation > deepest_.depth) deepest_ = {-separation, scale};
 }
 
 void ContactFinder::find_between_boxes(const System& system,
@@ -135,7 +135,7 @@ void ContactFinder::find_between_boxes(const System& system,
     const std::size_t known = touches_.size();
     note(
         add_touching_contacts(system, state, boxes_, {i, j}, tolerance * scale, contacts, touches_),
-        scale, i, j);
+        scale);
     for (std::size_t k = known; k < touches_.size(); ++k)
       touches_[k].scale = scale;
   }
@@ -152,7 +152,7 @@ void ContactFinder::find_on_planes(const System& system,
       const double separation = plane_separation(plane.point, plane.normal, box);
       const double touching = std::max(tolerance * scale, gap_rounding(box.center, plane.point));
       if (separation > touching) continue;
-      note(separation, scale, i, p);
+      note(separation, scale);
       int corners = 0;
       for (int k = 0; k < box.corner_count(); ++k) {
         if (corner_gap(box, k, plane) > touching) continue;

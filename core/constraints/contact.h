@@ -89,12 +89,10 @@ class ContactFinder {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Boxes posed by the last `find`.
   [[nodiscard]] std::span<const Box> boxes() const { return boxes_; }
-  /// Deepest overlap seen by the last `find` and between whom, m; 0 where there is none.
+  /// Deepest overlap seen by the last `find`, m; 0 where there is none.
   struct Overlap {
     double depth = 0.0;
     double scale = 1.0;  ///< m, the smaller side of the pair
-    int a = -1;
-    int b = -1;
   };
   [[nodiscard]] const Overlap& deepest() const { return deepest_; }
 
@@ -104,7 +102,7 @@ class ContactFinder {
                           double tolerance,
                           std::vector<Contact>& contacts);
   void find_on_planes(const System& system, double tolerance, std::vector<Contact>& contacts);
-  void note(double separation, double scale, int a, int b);
+  void note(double separation, double scale);
 
   std::vector<Box> boxes_;
   Neighbours neighbours_;

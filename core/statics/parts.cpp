@@ -164,7 +164,7 @@ PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   const std::optional<LoadRange> between = weighs ? between_supports(glued) : std::nullopt;
   if (!between || !between->contains(0.0)) fall(glued, part);
   if (between) part.shift = *between;
-  if (between || shift == Shift::ignored || !weighs) return part;
+  if (between || !weighs) return part;
   if (shift == Shift::of_what_falls && part.stands()) return part;
   // A weight that acts one radius of gyration to the right turns with det(right, down) times itself.
   const double radius = std::sqrt(inertia / part.mass);

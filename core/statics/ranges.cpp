@@ -96,7 +96,8 @@ void add_island(const StillScene& still,
                 const RangeRequest& request,
                 ForceRanges& result) {
   IslandRanges ranges(still, of);
-  const auto is_unique = [&](int k) { return request.skip_unique && of.forces.unique[k] != 0; };
+  // Forces that are the only ones possible are not asked for again.
+  const auto is_unique = [&](int k) { return of.forces.unique[k] != 0; };
   for (int k = 0; k < static_cast<int>(of.island.contacts.size()); ++k) {
     const Contact& c = of.island.contacts[k];
     const double f = of.forces.force[k];
