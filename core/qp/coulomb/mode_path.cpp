@@ -233,9 +233,8 @@ ModePathOutcome ModePath::follow(ContactForm& form,
       arrive(form, modes, point);
       return outcome;
     }
-    outcome.ray = crossing.unit < 0;
-    if (outcome.ray || outcome.crossings == effort.most_crossings || t_ > effort.farthest)
-      return outcome;
+    const bool ray = crossing.unit < 0;  // the path goes on for ever
+    if (ray || outcome.crossings == effort.most_crossings || t_ > effort.farthest) return outcome;
     ++outcome.crossings;
     system_.move(direction * crossing.step, point);
     t_ -= direction * crossing.step;
