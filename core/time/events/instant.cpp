@@ -14,28 +14,14 @@
 namespace wuerfel {
 namespace {
 
-/// Finds contacts and islands of a state.
-void find_touching(const State& state,
-                   double touching,
-                   Workspace& work,
-                   std::vector<Contact>& contacts,
-                   std::vector<Island>& islands) {
-  work.finder.find(*work.system, state, contacts, touching);
-  find_islands(*work.system, contacts, work.finder.touches(), islands);
-}
-
 /// Removes overlap. What touched before it was removed still takes part, by whatever gap that has
 /// opened.
-void separate(double touching,
-              std::vector<Contact>& contacts,
-              std::vector<Island>& islands,
-              Instant& now,
-              Workspace& work) {
+void separate(double touching, std::vector<Island>& islands, Instant& now, Workspace& work) {
   OutOfOverlap apart = out_of_overlap(now.state, islands, now.modes.resting, touching, work);
   if (!apart.moved) return;
   now.state = std::move(apart.state);
   if (apart.pushed) {
-    find_touching(now.state, touching, work, contacts, islands);
+    islands = islands_at(now.state, touching, work);
   } else {
     for (Island& island : islands)
       follow(*work.system, now.state, island.contacts);
@@ -225,11 +211,9 @@ Instant happen(const State& state,
   now.state = state;
   now.modes.resting = before.modes.resting;
   now.modes.resting.resize(state.size(), 0);
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  find_touching(state, limits.touching, work, contacts, islands);
+  std::vector<Island> islands = islands_at(state, limits.touching, work);
   now.deepest = work.finder.deepest();
-  separate(limits.touching, contacts, islands, now, work);
+  separate(limits.touching, islands, now, work);
   std::vector<Box> boxes(work.finder.boxes().begin(), work.finder.boxes().end());
   std::vector<char> touched(state.size(), 0);
   for (const Island& island : islands) {
