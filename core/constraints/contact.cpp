@@ -51,6 +51,13 @@ double gap_rounding(const Vec2& a, const Vec2& b) {
   return few_bits * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
 }
 
+std::vector<ContactId> sorted_ids(std::span<const Contact> contacts) {
+  std::vector<ContactId> ids(contacts.size());
+  std::ranges::transform(contacts, ids.begin(), &Contact::id);
+  std::ranges::sort(ids);
+  return ids;
+}
+
 ContactVelocity contact_velocity(const System& system, const State& state, const Contact& contact) {
   ContactVelocity v;
   if (system.is_cube(contact.on)) v.v_k = point_velocity(state[contact.on], contact.arm_k);

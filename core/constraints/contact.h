@@ -46,6 +46,9 @@ struct Contact {
   [[nodiscard]] ContactId id() const { return contact_id(on, from, corner, side); }
 };
 
+/// What stays the same of contacts, ascending.
+std::vector<ContactId> sorted_ids(std::span<const Contact> contacts);
+
 /// Velocities of the three points of a contact.
 struct ContactVelocity {
   Vec2 v_i = Vec2::Zero();

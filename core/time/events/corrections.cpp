@@ -19,11 +19,7 @@ std::vector<Contact> new_overlaps(const State& state,
                                   const std::vector<Contact>& known,
                                   double touching,
                                   Workspace& work) {
-  std::vector<ContactId> ids;
-  ids.reserve(known.size());
-  for (const Contact& c : known)
-    ids.push_back(c.id());
-  std::ranges::sort(ids);
+  const std::vector<ContactId> ids = sorted_ids(known);
   std::vector<Contact> found;
   work.finder.find(*work.system, state, found, touching);
   std::erase_if(found, [&](const Contact& c) {
