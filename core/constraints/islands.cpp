@@ -113,4 +113,18 @@ void add_free_cubes(const System& system, std::vector<Island>& islands) {
   }
 }
 
+bool touches_fixed(const System& system, std::span<const Contact> contacts) {
+  return std::ranges::any_of(
+      contacts, [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); });
+}
+
+bool is_fixed(const System& system, const Island& island) {
+  return touches_fixed(system, island.contacts)
+         || std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
+}
+
+bool all_rest(const Island& island, const std::vector<char>& resting) {
+  return std::ranges::all_of(island.cubes, [&](int cube) { return resting[cube] != 0; });
+}
+
 }  // namespace wuerfel

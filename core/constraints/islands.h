@@ -40,4 +40,12 @@ void one_island(const System& system,
 /// Adds an island for each cube that is in none.
 void add_free_cubes(const System& system, std::vector<Island>& islands);
 
+/// Whether a fixed body takes part in one of the contacts.
+bool touches_fixed(const System& system, std::span<const Contact> contacts);
+/// Whether a contact or a rod joins an island to something fixed.
+bool is_fixed(const System& system, const Island& island);
+
+/// Whether all cubes of an island rest (`resting`: one per cube).
+bool all_rest(const Island& island, const std::vector<char>& resting);
+
 }  // namespace wuerfel

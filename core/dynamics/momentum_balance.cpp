@@ -6,6 +6,7 @@
 #include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
+
 Vec2 common_center(const System& system, const State& state, std::span<const char> resting) {
   double mass = 0.0;
   Vec2 sum = Vec2::Zero();
@@ -15,11 +16,6 @@ Vec2 common_center(const System& system, const State& state, std::span<const cha
     sum += system.body(i).mass * state[i].position;
   }
   return mass > 0.0 ? Vec2(sum / mass) : sum;
-}
-
-bool touches_fixed(const System& system, std::span<const Contact> contacts) {
-  return std::ranges::any_of(
-      contacts, [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); });
 }
 
 void add_push(const System& system,

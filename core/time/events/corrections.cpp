@@ -46,10 +46,6 @@ double farthest_way(const System& system, const State& from, const State& to) {
   return way;
 }
 
-bool all_rest(const Island& island, const std::vector<char>& resting) {
-  return std::ranges::all_of(island.cubes, [&](int cube) { return resting[cube] != 0; });
-}
-
 OutOfOverlap out_of_overlap(const State& state,
                             const std::vector<Island>& islands,
                             const std::vector<char>& resting,

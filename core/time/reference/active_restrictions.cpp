@@ -28,7 +28,7 @@ void keep_rest(GridPoint& point, const GridPoint& before) {
   std::size_t k = 0;
   for (std::size_t m = 0; m < point.islands.size(); ++m) {
     const Island& island = point.islands[m];
-    if (!point.rests(island)) continue;
+    if (!all_rest(island, point.resting)) continue;
     while (k < before.islands.size() && before.islands[k].cubes.front() < island.cubes.front())
       ++k;
     if (k == before.islands.size()) return;
@@ -108,7 +108,7 @@ void find_restrictions(GridPoint& point, Workspace& work, Bookkeeping& book) {
   }
   std::ranges::sort(lasting);
   for (const Island& island : point.islands) {
-    if (point.rests(island)) continue;
+    if (all_rest(island, point.resting)) continue;
     // Who rested is awake where somebody came to it.
     for (const int cube : island.cubes)
       point.resting[cube] = 0;
