@@ -48,9 +48,7 @@ Push push_of(const System& system,
   Push sum;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
-    const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
-    const Vec2 impulse = solution.forces[k] * c.normal + side * perp(c.normal);
-    add_push(system, state, center, c, impulse, sum);
+    add_push(system, state, center, c, impulse_at(c, solution, k), sum);
   }
   for (std::size_t k = 0; k < solution.rods.size(); ++k)
     add_push(state, center, system.rods[island.rods[k]], solution.rods[k], sum);

@@ -262,8 +262,7 @@ void add_pushes_to_standing(const System& system,
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (solution.forces[k] == 0.0) continue;
-    const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
-    const Vec2 p = solution.forces[k] * c.normal + side * perp(c.normal);
+    const Vec2 p = impulse_at(c, solution, k);
     add(c.on, c.point, p);
     add(c.from, c.point, -p);
   }
