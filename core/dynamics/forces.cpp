@@ -22,13 +22,6 @@ std::vector<SideUse> uses(const IslandSolution& solution) {
   return use;
 }
 
-std::vector<double> unknowns(const std::vector<Twist>& twists) {
-  std::vector<double> x;
-  for (const Twist& a : twists)
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  return x;
-}
-
 /// Forces of least norm with the accelerations x under friction, or, where none better are found, those given. Returns
 /// their residual.
 double choose(const FrictionProgram& friction,
@@ -70,7 +63,7 @@ ContactForces canonical_forces(const System& system,
     if (use[k] != SideUse::none) multiplier.push_back(solution.forces[k]);
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
-  const std::vector<double> x = unknowns(accelerations);
+  const std::vector<double> x = unknowns_of(accelerations);
   const LeastNormMultipliers least =
       canonical_multipliers(builder.program(), x, multiplier, uniqueness == Uniqueness::asked);
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
@@ -111,7 +104,7 @@ ContactForces canonical_forces_with_friction(const System& system,
   CanonicalForces least;
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1),
                        std::vector<double>(use.size(), 0.0)};
-  result.residual = choose(friction, unknowns(accelerations), multiplier, uniqueness, least);
+  result.residual = choose(friction, unknowns_of(accelerations), multiplier, uniqueness, least);
   const auto rods = static_cast<std::ptrdiff_t>(friction.contacts.size());
   take_rods(least.multiplier, {least.unique.begin() + rods, least.unique.end()}, island.rods.size(),
             result);

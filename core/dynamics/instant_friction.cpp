@@ -19,13 +19,6 @@ constexpr double strong_friction = 8.0;
 constexpr int newton_factorisations = 8;
 constexpr int seeds_from_open = 3;
 
-std::vector<double> flat(const std::vector<Twist>& twists) {
-  std::vector<double> x;
-  for (const Twist& a : twists)
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  return x;
-}
-
 void read_forces(const ProgramBuilder& builder,
                  const std::vector<double>& x,
                  const std::vector<double>& multiplier,
@@ -104,7 +97,7 @@ IslandSolution exact_law(const ProgramBuilder& builder, const State& state, cons
 /// The multipliers that the law has at the contacts' forces of another solution and its slips.
 std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSolution& of) {
   const FrictionProgram friction = builder.friction_program();
-  const std::vector<double> x = flat(of.twists);
+  const std::vector<double> x = unknowns_of(of.twists);
   const double scale = CoulombJudge().measure_scales(friction.program).velocity;
   std::vector<double> multiplier(friction.program.rows(), 0.0);
   std::ranges::copy(of.rods, multiplier.begin() + builder.first_rod_row());
