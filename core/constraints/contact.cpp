@@ -73,8 +73,12 @@ double gap_rate(const Contact& contact, const ContactVelocity& v) {
   return side_gap_rate(contact.normal, contact.alpha, v.v_i, v.v_j, v.v_k);
 }
 
+double contact_scale(const System& system, int on, int from) {
+  return std::min(system.body(on).smaller_side(), system.body(from).smaller_side());
+}
+
 double contact_scale(const System& system, const Contact& contact) {
-  return std::min(system.body(contact.on).smaller_side(), system.body(contact.from).smaller_side());
+  return contact_scale(system, contact.on, contact.from);
 }
 
 double zero_rate(const System& system, const Contact& contact, const ContactVelocity& v) {
@@ -138,7 +142,7 @@ void ContactFinder::find_between_boxes(const System& system,
                                       gap_rounding(box.center, box.center)));
   };
   for (const auto& [i, j] : neighbours_.find(system, bounds_of)) {
-    const double scale = std::min(system.body(i).smaller_side(), system.body(j).smaller_side());
+    const double scale = contact_scale(system, i, j);
     const std::size_t known = touches_.size();
     note(
         add_touching_contacts(system, state, boxes_, {i, j}, tolerance * scale, contacts, touches_),

@@ -70,7 +70,8 @@ enum class ContactMotion { closing, resting, opening };
 /// zero.
 ContactMotion contact_motion(const System& system, const State& state, const Contact& contact);
 
-/// Length by which a contact's tolerances are measured: the smaller side of the two bodies, m.
+/// Length by which tolerances of two bodies, or of a contact, are measured: their smaller side, m.
+double contact_scale(const System& system, int on, int from);
 double contact_scale(const System& system, const Contact& contact);
 
 /// The same corner and side at other poses, and the gap alone.

@@ -15,9 +15,7 @@ using Kind = EventFunction::Kind;
 GeometricEvents::GeometricEvents(const System& system) : system_(&system), view_(system) {}
 
 double GeometricEvents::zero(const EventFunction& f) const {
-  const double scale =
-      std::min(system_->body(f.on).smaller_side(), system_->body(f.from).smaller_side());
-  return std::max(event_touching * scale, rounding_);
+  return std::max(event_touching * contact_scale(*system_, f.on, f.from), rounding_);
 }
 
 void GeometricEvents::begin(const State& state,

@@ -46,7 +46,7 @@ void NearContacts::find(double reach,
   };
   const double fall = gravity_ * step_ * step_;
   for (const auto& [i, j] : neighbours_.find(*system_, bounds_of)) {
-    const double scale = std::min(system_->body(i).smaller_side(), system_->body(j).smaller_side());
+    const double scale = contact_scale(*system_, i, j);
     const FacingSide side =
         separating_side(*system_, {start_, drift_, end_}, slow_share * fall, i, j);
     if (side.separation >= reach * scale) continue;
