@@ -81,15 +81,14 @@ double contact_scale(const System& system, const Contact& contact) {
   return contact_scale(system, contact.on, contact.from);
 }
 
-double zero_rate(const System& system, const Contact& contact, const ContactVelocity& v) {
-  const double speed = std::max({v.v_i.norm(), v.v_j.norm(), v.v_k.norm()});
+double contact_speed(const System& system, const Contact& contact, const ContactVelocity& v) {
   const double fall = std::sqrt(system.gravity.norm() * contact_scale(system, contact));
-  return rate_tolerance * std::max(fall, speed);
+  return std::max({fall, v.v_i.norm(), v.v_j.norm(), v.v_k.norm()});
 }
 
 ContactMotion contact_motion(const System& system, const State& state, const Contact& contact) {
   const ContactVelocity v = contact_velocity(system, state, contact);
-  const double zero = zero_rate(system, contact, v);
+  const double zero = rate_tolerance * contact_speed(system, contact, v);
   const double rate = gap_rate(contact, v);
   if (rate < -zero) return ContactMotion::closing;
   return rate <= zero ? ContactMotion::resting : ContactMotion::opening;

@@ -61,8 +61,8 @@ ContactVelocity contact_velocity(const System& system, const State& state, const
 /// Rate of the gap, m/s: Eq. (6) with the unit normal.
 double gap_rate(const Contact& contact, const ContactVelocity& velocity);
 
-/// What counts as zero of the rates of a contact, m/s.
-double zero_rate(const System& system, const Contact& contact, const ContactVelocity& velocity);
+/// max(sqrt(g side), |v|), by which the rates of a contact are measured, m/s.
+double contact_speed(const System& system, const Contact& contact, const ContactVelocity& velocity);
 
 enum class ContactMotion { closing, resting, opening };
 

@@ -169,10 +169,8 @@ std::vector<int> known_slips(const System& system,
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (system.surface(c.on, c.from).friction == 0.0) continue;
-    const ContactVelocity v = contact_velocity(system, state, c);
     const double slip = slip_rate(system, state, c);
-    const double speed = std::max({std::sqrt(system.gravity.norm() * contact_scale(system, c)),
-                                   v.v_k.norm(), v.v_i.norm(), v.v_j.norm()});
+    const double speed = contact_speed(system, c, contact_velocity(system, state, c));
     if (std::abs(slip) > dead_zone * speed) slides[k] = slip > 0.0 ? 1 : -1;
   }
   return slides;
