@@ -51,6 +51,13 @@ double gap_rounding(const Vec2& a, const Vec2& b) {
   return few_bits * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
 }
 
+double gap_rounding(const State& state) {
+  double largest = 0.0;
+  for (const BodyState& s : state)
+    largest = std::max(largest, gap_rounding(s.position, s.position));
+  return largest;
+}
+
 std::vector<ContactId> sorted_ids(std::span<const Contact> contacts) {
   std::vector<ContactId> ids(contacts.size());
   std::ranges::transform(contacts, ids.begin(), &Contact::id);

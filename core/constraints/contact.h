@@ -15,6 +15,8 @@ inline constexpr double rate_tolerance = 1e-9;
 
 /// What rounding may leave of a gap between bodies at these places, m.
 double gap_rounding(const Vec2& a, const Vec2& b);
+/// The same between any cubes, m.
+double gap_rounding(const State& state);
 
 /// What of a contact stays the same from step to step: bodies of corner and side, and their numbers, as one number in
 /// the order of these, not negative.

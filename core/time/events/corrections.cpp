@@ -31,10 +31,7 @@ std::vector<Contact> new_overlaps(const State& state,
 }  // namespace
 
 double bearable_overlap(const State& state, const Scales& scales) {
-  double rounding = 0.0;
-  for (const BodyState& s : state)
-    rounding = std::max(rounding, gap_rounding(s.position, s.position));
-  return std::max(overlap_share, rounding_times * rounding / scales.length);
+  return std::max(overlap_share, rounding_times * gap_rounding(state) / scales.length);
 }
 
 double farthest_way(const System& system, const State& from, const State& to) {

@@ -21,9 +21,7 @@ double GeometricEvents::zero(const EventFunction& f) const {
 void GeometricEvents::begin(const State& state,
                             const ContactSet& closed,
                             const std::vector<char>& resting) {
-  rounding_ = 0.0;
-  for (const BodyState& s : state)
-    rounding_ = std::max(rounding_, gap_rounding(s.position, s.position));
+  rounding_ = gap_rounding(state);
   view_.begin(resting, rounding_);
   functions_.clear();
   watch_closed(closed);
