@@ -48,12 +48,6 @@ bool touch_each_other(const System& system,
   });
 }
 
-void note_rods(const System& system, const State& state, Bookkeeping& book) {
-  if (system.rods.empty()) return;
-  double& worst = book.audit.max_rod_error;
-  worst = std::max(worst, largest_rod_error(system, state));
-}
-
 }  // namespace
 
 EventMotion::EventMotion(const System& system, const MotionSettings& settings)
@@ -153,7 +147,8 @@ void EventMotion::note_step(const SmoothStep& step, Bookkeeping& book) {
     ++book.audit.wedged;
   }
   note_momenta(step, book);
-  note_rods(*system_, step.end, book);
+  double& worst = book.audit.max_rod_error;
+  worst = std::max(worst, largest_rod_error(*system_, step.end));
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
 }
 

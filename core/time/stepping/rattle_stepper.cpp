@@ -121,8 +121,7 @@ void RattleStepper::fly_second_half(State& state) const {
 /// Velocities and books at the end of the way.
 void RattleStepper::arrive(Step& step, double t) {
   step.overlap = removal_.left();
-  if (!system_->rods.empty())
-    step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
+  step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
   landing_.find_touching(stride_, step.book);
   State flown = step.state;
   keep_turning(*system_, cleaned_, flown_, step.state);
@@ -171,10 +170,8 @@ Push RattleStepper::pushed() const {
   Push sum;
   for (std::size_t k = 0; k < system_->rods.size(); ++k) {
     const Rod& rod = system_->rods[k];
-    if (k < stride_.rods_first.size())
-      add_push(stride_.start, start, rod, stride_.rods_first[k], sum);
-    if (k < stride_.rods_second.size())
-      add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
+    add_push(stride_.start, start, rod, stride_.rods_first[k], sum);
+    add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
   }
   for (const auto& [id, blow] : stride_.blows) {
     add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
