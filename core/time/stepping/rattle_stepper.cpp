@@ -32,9 +32,8 @@ RattleStepper::RattleStepper(const System& system, const MotionSettings& setting
       sway_(sway) {}
 
 void RattleStepper::begin(const State& state) {
-  const Scales scales = scales_of(*system_, state);
   true_energy_ = energy(*system_, state);
-  start_motion_ = kinetic_energy(*system_, state) + scales.weight * scales.length;
+  start_motion_ = energy_in_motion(*system_, state, scales_of(*system_, state));
 }
 
 double RattleStepper::longest_step(const State& state) const {
@@ -234,11 +233,10 @@ void RattleStepper::take_jam(const Island& island,
 
 /// Whether energy is farther from its true value than it may sway.
 bool RattleStepper::strays(const StepRecord& record, const State& end) const {
-  const Scales& scales = stride_.scales;
   double astray = energy(*system_, end) - true_energy_;
   for (const StepComponent& part : record.components)
     astray += sum_of(part.losses);
-  const double in_motion = kinetic_energy(*system_, stride_.start) + scales.weight * scales.length;
+  const double in_motion = energy_in_motion(*system_, stride_.start, stride_.scales);
   const double sway = sway_ * in_motion;
   if (!system_->rods.empty()) return std::abs(astray) > sway;
   const double most = most_missing * std::min(start_motion_, in_motion);
