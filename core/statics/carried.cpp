@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/dynamics/momentum.h"
-#include "core/statics/margins.h"
 #include "core/statics/parts.h"
 
 namespace wuerfel {
@@ -45,7 +44,7 @@ std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   }
   if (!normal) return std::nullopt;
   group.along = -perp(*normal);
-  if (group.along.dot(right_of(still.down())) < 0.0) group.along = -group.along;
+  if (group.along.dot(still.right()) < 0.0) group.along = -group.along;
   return group;
 }
 

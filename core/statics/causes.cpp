@@ -5,7 +5,6 @@
 
 #include "core/geometry/union_find.h"
 #include "core/model/scales.h"
-#include "core/statics/margins.h"
 #include "core/statics/sets.h"
 
 namespace wuerfel {
@@ -95,7 +94,7 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   if (cause.on.empty())
     cause.failure = cause.part.on_rods ? FailureMode::swings : FailureMode::drops;
   const Vec2& a = cause.part.motion.linear;
-  const double aside = a.dot(right_of(still.down()));
+  const double aside = a.dot(still.right());
   if (std::abs(aside) > no_motion * a.norm()) cause.sense = sign(aside);
   return cause;
 }

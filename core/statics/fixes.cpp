@@ -8,7 +8,6 @@
 #include "core/model/scales.h"
 #include "core/qp/coulomb/rest_program.h"
 #include "core/statics/carried.h"
-#include "core/statics/margins.h"
 #include "core/statics/move_margins.h"
 
 namespace wuerfel {
@@ -44,7 +43,7 @@ std::vector<Hold> holds(const StillScene& still,
                         const Island& island,
                         const std::vector<int>& cubes,
                         const Certificate& certificate) {
-  const Vec2 right = right_of(still.down());
+  const Vec2 right = still.right();
   double power = 0.0;
   std::vector<Hold> found;
   for (const int cube : cubes) {

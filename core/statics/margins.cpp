@@ -85,7 +85,7 @@ class IslandMargins {
     const double side = still_.system.body(cube).smaller_side();
     const double lever = side * still_.weight(cube);
     // A weight that acts at r turns with det(r, down) times itself.
-    const double turn = det(right_of(still_.down()), still_.down());
+    const double turn = det(still_.right(), still_.down());
     const Load q = torque_on(of_.island, cube, lever * turn);
     return around_zero(scaled(solver_.range(q), side), of_.rests);
   }
@@ -186,8 +186,6 @@ TiltMargin tilt_angles(const LoadRange& tangents) {
   return {angle(-tangents.low), angle(tangents.high)};
 }
 
-Vec2 right_of(const Vec2& down) { return perp(down); }
-
 LoadRange tilt_range(const StillScene& still, Sliding sliding) {
   LoadRange range;
   if (still.system.gravity.isZero(0.0)) return range;
@@ -195,7 +193,7 @@ LoadRange tilt_range(const StillScene& still, Sliding sliding) {
   for (const IslandForces& of : still.found.islands) {
     for (const int cube : of.island.cubes)
       free[cube] = 0;
-    const Load q = share_of_weights(still, of.island, right_of(still.down()));
+    const Load q = share_of_weights(still, of.island, still.right());
     range = intersection(range, IslandLoads(still, of.island, sliding).range(q));
     if (is_empty(range)) return no_load;
   }

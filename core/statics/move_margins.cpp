@@ -6,7 +6,6 @@
 
 #include "core/dynamics/momentum.h"
 #include "core/statics/limit_motion.h"
-#include "core/statics/margins.h"
 #include "core/statics/move_search.h"
 
 namespace wuerfel {
@@ -47,7 +46,7 @@ LoadRange needed(const StillScene& still, const Island& island, const CarriedGro
     if (part.stands()) continue;
     const double moved = moved_mass(still, group, cubes);
     if (moved == 0.0 || is_empty(part.shift)) return no_load;
-    const double times = part.mass / (moved * group.along.dot(right_of(still.down())));
+    const double times = part.mass / (moved * group.along.dot(still.right()));
     needed.low = std::max(needed.low, part.shift.low * times);
     needed.high = std::min(needed.high, part.shift.high * times);
   }
@@ -91,7 +90,7 @@ double MoveMargins::expected_change(const CarriedGroup& group, double sense) {
   for (const PartStand& part : parts_) {
     const double moved = moved_mass(*still_, group, part.cubes);
     const double reach = sense > 0.0 ? part.shift.high : -part.shift.low;
-    const double along = group.along.dot(right_of(still_->down()));
+    const double along = group.along.dot(still_->right());
     if (moved > 0.0) nearest = std::min(nearest, reach * part.mass / (moved * along));
   }
   return sense * nearest;

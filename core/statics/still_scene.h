@@ -27,6 +27,8 @@ struct StillScene {
   [[nodiscard]] double weight(int cube) const;
   /// Unit vector along gravity; down where there is none.
   [[nodiscard]] Vec2 down() const;
+  /// Gravity turned left by a right angle.
+  [[nodiscard]] Vec2 right() const { return perp(down()); }
   /// Whether a face with this normal, of any length, is level but for rounding.
   [[nodiscard]] bool is_level(const Vec2& normal) const;
 };
