@@ -75,7 +75,7 @@ std::optional<double> mended_on_the_way(const MoveSearch& search, double nearest
 MoveMargins::MoveMargins(const StillScene& still, const MotionSettings& settings, int island)
     : still_(&still), settings_(&settings), island_(island) {
   const IslandForces& of = still.found.islands[island];
-  if (!still.falls(of)) level_ = LevelStack::of(still, of.island);
+  if (of.rests) level_ = LevelStack::of(still, of.island);
 }
 
 /// Where the centre of a part leaves what it stands on; mostly that is the first change.
@@ -131,7 +131,7 @@ LoadRange MoveMargins::range(int cube) {
 LoadRange MoveMargins::range_of(int cube, const CarriedGroup& group) {
   const MoveSearch search(*still_, *settings_, group);
   if (is_alone(*still_, group) && still_->verdict == Verdict::stands) return {};
-  if (still_->falls(still_->found.islands[island_])) {
+  if (!still_->found.islands[island_].rests) {
     const std::optional<double> mended = mending_move(*still_, *settings_, cube);
     if (!mended) return no_load;
     const MoveSearch::End beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);

@@ -19,8 +19,6 @@ struct StillScene {
 
   /// Number of the island of a cube, -1 where it touches nothing.
   [[nodiscard]] int island_of(int cube) const;
-  /// Whether an island falls, or cannot be said to stand.
-  [[nodiscard]] bool falls(const IslandForces& of) const { return !of.rests; }
   /// Per cube whether what it does depends on an island: 0 for cubes that fall without it.
   [[nodiscard]] std::vector<char> concerned(int island) const;
   /// N; of one kilogram where there is no gravity.
