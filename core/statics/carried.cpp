@@ -48,6 +48,15 @@ std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   return group;
 }
 
+double smallest_side(const StillScene& still, const CarriedGroup& group) {
+  double side = unbounded;
+  for (const int cube : group.cubes) {
+    const Body& body = still.system.body(cube);
+    if (body.kind == BodyKind::cube) side = std::min(side, body.smaller_side());
+  }
+  return side;
+}
+
 State moved_state(const StillScene& still, const CarriedGroup& group, double distance) {
   State state = still.state;
   for (const int cube : group.cubes)
