@@ -50,6 +50,10 @@ void take_rods(const std::vector<double>& multiplier,
 
 }  // namespace
 
+double ContactForces::least_pressing() const {
+  return force.empty() ? 0.0 : pressing_share * std::ranges::max(force);
+}
+
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,

@@ -54,9 +54,6 @@ std::vector<Face> find_faces(const Island& island) {
 void add_resultant(const IslandForces& of, Face& face) {
   Interface& seen = face.seen;
   double moment = 0.0;
-  double largest = 0.0;
-  for (const double f : of.forces.force)
-    largest = std::max(largest, f);
   for (std::size_t i = 0; i < face.contacts.size(); ++i) {
     const int k = face.contacts[i];
     seen.force += of.forces.force[k];
@@ -64,7 +61,7 @@ void add_resultant(const IslandForces& of, Face& face) {
     // Seen from either body the tangential force runs along the normal turned left.
     if (!of.forces.tangential.empty()) seen.tangential += of.forces.tangential[k];
   }
-  if (seen.force <= pressing_share * largest) return;
+  if (seen.force <= of.forces.least_pressing()) return;
   const double x = moment / seen.force;
   seen.center = seen.middle + x * perp(seen.normal);
   seen.center_range = {x, x, 0.0};
