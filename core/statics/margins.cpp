@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/geometry/trig.h"
 #include "core/statics/generators.h"
@@ -15,11 +16,6 @@ namespace {
 
 LoadRange intersection(const LoadRange& a, const LoadRange& b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high), std::max(a.error, b.error)};
-}
-
-LoadRange scaled(const LoadRange& range, double factor) {
-  if (is_empty(range)) return range;
-  return {range.low * factor, range.high * factor, range.error * factor};
 }
 
 /// An end that is zero but for rounding, of a scene that stands, is zero: a knife edge.
@@ -87,14 +83,14 @@ class IslandMargins {
     // A weight that acts at r turns with det(r, down) times itself.
     const double turn = det(still_.right(), still_.down());
     const Load q = torque_on(of_.island, cube, lever * turn);
-    return around_zero(scaled(solver_.range(q), side), of_.rests);
+    return around_zero(solver_.range(q).times(side), of_.rests);
   }
 
   LoadRange load(int cube) {
     const double weight = still_.weight(cube);
     const Load q = force_at(still_, of_.island, cube, middle_of_highest_side(still_, cube),
                             weight * still_.down());
-    return around_zero(scaled(solver_.range(q), weight), of_.rests);
+    return around_zero(solver_.range(q).times(weight), of_.rests);
   }
 
  private:
@@ -152,8 +148,7 @@ std::vector<double> shares_at_most(const StillScene& still, const Island& island
 std::vector<int> cubes_of(const StillScene& still, const MarginRequest& request) {
   if (!request.cubes.empty()) return request.cubes;
   std::vector<int> all(still.system.cubes);
-  for (int i = 0; i < still.system.cubes; ++i)
-    all[i] = i;
+  std::iota(all.begin(), all.end(), 0);
   return all;
 }
 

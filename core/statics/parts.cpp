@@ -169,10 +169,7 @@ PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   const double radius = std::sqrt(inertia / part.mass);
   const double turn = det(still_->right(), still_->down());
   const Load q{0.0, 0.0, part.mass * still_->system.gravity.norm() * radius * turn};
-  part.shift = LoadFactor(glued.program).range(weight_of(part), q);
-  if (is_empty(part.shift)) return part;
-  part.shift.low *= radius;
-  part.shift.high *= radius;
+  part.shift = LoadFactor(glued.program).range(weight_of(part), q).times(radius);
   return part;
 }
 
