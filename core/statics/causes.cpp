@@ -214,10 +214,6 @@ class Mechanism {
   double largest_ = 0.0;
 };
 
-void sort_by_size(std::vector<Cause>& causes) {
-  std::ranges::stable_sort(causes, {}, [](const Cause& c) { return c.part.cubes.size(); });
-}
-
 std::vector<Cause> all_causes(const StillScene& still, std::vector<int>& without) {
   std::vector<Cause> causes;
   for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
@@ -227,7 +223,7 @@ std::vector<Cause> all_causes(const StillScene& still, std::vector<int>& without
     if (causes.size() == before) without.push_back(m);
   }
   add_free(still, causes);
-  sort_by_size(causes);
+  std::ranges::stable_sort(causes, {}, [](const Cause& c) { return c.part.cubes.size(); });
   return causes;
 }
 

@@ -9,6 +9,7 @@
 #include "core/qp/coulomb/rest_program.h"
 #include "core/statics/carried.h"
 #include "core/statics/move_margins.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -129,10 +130,8 @@ std::vector<Fix> moves(const StillScene& still,
 std::vector<int> concerned(const Island& island, int m, const Causes& causes) {
   std::vector<int> cubes;
   const auto add = [&](const std::vector<int>& more) {
-    for (const int cube : more) {
-      const bool known = std::ranges::find(cubes, cube) != cubes.end();
-      if (!known && static_cast<int>(cubes.size()) < most_cubes) cubes.push_back(cube);
-    }
+    for (const int cube : more)
+      if (static_cast<int>(cubes.size()) < most_cubes) add_once(cube, cubes);
   };
   for (const Cause& cause : causes.causes)
     if (cause.island == m) add(cause.part.cubes);
