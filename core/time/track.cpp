@@ -63,8 +63,7 @@ void Track::start(const State& state,
     return;
   }
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
-  ContactLimits limits;
-  limits.touching = std::max(touching, limits.touching);
+  const ContactLimits limits{std::max(touching, event_touching)};
   const bool fits = events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
   if (fits && (events_.at_rest() || !(policy_.only_steps || events_.wedged()))) {
@@ -84,8 +83,7 @@ bool Track::rest_from(const State& state, double t, double touching, std::vector
   State still = state;
   for (BodyState& s : still)
     stop(s);
-  ContactLimits limits;
-  limits.touching = std::max(touching, limits.touching);
+  const ContactLimits limits{std::max(touching, event_touching)};
   if (!events_.would_rest(still, limits)) return false;
   Bookkeeping found;
   if (!(events_.start(still, t, limits, std::move(resting), found) && events_.at_rest()))
@@ -96,11 +94,9 @@ bool Track::rest_from(const State& state, double t, double touching, std::vector
   return true;
 }
 
-Track::Stepping Track::stepping() const {
-  return {stepping_ ? until_ : -1.0, crowding_.patience()};
-}
+Stepping Track::stepping() const { return {stepping_ ? until_ : -1.0, crowding_.patience()}; }
 
-Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
+Stepping later(const Stepping& a, const Stepping& b) {
   return {std::max(a.until, b.until), std::max(a.patience, b.patience)};
 }
 
@@ -159,10 +155,18 @@ void Track::go_on_after(const PartialMotion& part) {
     until_ = crowding_.frames_after(clock_, longest_step);
     return;
   }
-  const bool fits =
-      !part.is_stepped() && events_.start(part.state(), part.clock(), {}, part.resting(), book_);
+  if (part.is_stepped()) return hand_over(part.state(), part.clock());
+  follow_from(part.state(), part.clock(), {}, part.resting());
+}
+
+/// From event to event from a state on; where that leaves overlap, or cubes are wedged, in steps.
+void Track::follow_from(const State& state,
+                        double t,
+                        const ContactLimits& limits,
+                        std::vector<char> resting) {
   last_events_ = 0;
-  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : part.state(), part.clock());
+  const bool fits = events_.start(state, t, limits, std::move(resting), book_);
+  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : state, t);
 }
 
 /// Nobody moves any more, and all are known to be held.
@@ -331,14 +335,11 @@ bool Track::hand_to_part() {
 
 void Track::hand_back() {
   crowding_.step_to(clock_);
-  last_events_ = 0;
   stepping_ = false;
   const State state = steps_->with_closed_gaps();
   book_closing(state);
   // Gaps of contacts under load have been closed to rounding.
-  const ContactLimits limits{touching_tolerance, slowest_motion};
-  const bool fits = events_.start(state, clock_, limits, {}, book_);
-  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : state, clock_);
+  follow_from(state, clock_, {touching_tolerance, slowest_motion}, {});
 }
 
 /// Number of the piece in which a time lies; -1 at the clock, and where it is not known.
