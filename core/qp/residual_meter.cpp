@@ -22,14 +22,6 @@ double square_of(const QuadraticProgram& p, int row, const std::vector<double>& 
   return sum;
 }
 
-/// Zero if all values are numbers, else not a number.
-double nothing(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values)
-    sum += v * 0.0;
-  return sum;
-}
-
 /// 1 / scale, so that nothing but 0 passes a scale of 0.
 double inverse(double scale) { return scale > 0.0 ? 1.0 / scale : unbounded; }
 
@@ -134,7 +126,7 @@ QpResidual ResidualMeter::measure(const QuadraticProgram& program,
                                   const std::vector<double>& x,
                                   const std::vector<double>& multiplier) {
   const bool fits = x.size() == program.mass.size() && multiplier.size() == program.bound.size();
-  if (!fits || nothing(x) != 0.0 || nothing(multiplier) != 0.0)
+  if (!fits || !all_finite(x) || !all_finite(multiplier))
     return {unbounded, unbounded, unbounded, unbounded};
 
   double force = scales_.weight;

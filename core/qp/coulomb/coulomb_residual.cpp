@@ -14,13 +14,6 @@ double relative(double v, double scale) {
   return scale > 0.0 ? v / scale : std::copysign(unbounded, v);
 }
 
-bool all_numbers(const std::vector<double>& values) {
-  double nothing = 0.0;
-  for (const double v : values)
-    nothing += v * 0.0;
-  return nothing == 0.0;
-}
-
 }  // namespace
 
 /// |min(lambda, u)| for lambda >= 0, u >= 0.
@@ -111,7 +104,7 @@ CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
                                       const std::vector<double>& multiplier) {
   const QuadraticProgram& p = friction.program;
   CoulombResidual residual;
-  if (!all_numbers(x) || !all_numbers(multiplier)) {
+  if (!all_finite(x) || !all_finite(multiplier)) {
     residual.stationarity = unbounded;
     return residual;
   }
