@@ -396,8 +396,7 @@ void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
     if (piece->kind == MotionPiece::Kind::part) piece->part->sweep(t, bounds);
     if (piece->kind != MotionPiece::Kind::smooth) continue;
     // Between its ends a smooth piece leaves the chord: it is looked at along the way.
-    const bool known = !piece->motion.coefficients.empty();
-    const DenseStep motion = known ? piece->motion : motion_of(*system_, *piece);
+    const DenseStep motion = motion_of(*system_, *piece);
     state = piece->start;
     for (int k = 1; k < looks_per_piece; ++k) {
       look_at(motion, (end - piece->begin) / piece->length * k / looks_per_piece, state);

@@ -268,9 +268,7 @@ FormerPhase EventMotion::ended_phase() const {
 State EventMotion::look(const MotionPiece& piece, double t) {
   State state = piece.start;
   if (t <= piece.begin) return state;
-  const bool known = !piece.motion.coefficients.empty();
-  look_at(known ? piece.motion : motion_of(*system_, piece), (t - piece.begin) / piece.length,
-          state);
+  look_at(motion_of(*system_, piece), (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty() || !system_->rods.empty()) {
     looker_.close(piece.closed, piece.resting, piece.touches);
     project_places(looker_, state);
