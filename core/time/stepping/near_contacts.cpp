@@ -62,8 +62,7 @@ void NearContacts::find(double reach,
 void NearContacts::add_planes(double reach,
                               const std::vector<Box>& measured,
                               std::vector<Contact>& contacts) const {
-  for (int p = 0; p < system_->count(); ++p) {
-    if (system_->body(p).kind != BodyKind::plane) continue;
+  for (int p = box_count(*system_); p < system_->count(); ++p) {
     for (int i = 0; i < system_->cubes; ++i)
       add_corners(i, p, reach, measured, contacts);
   }
