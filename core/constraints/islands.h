@@ -33,9 +33,7 @@ void find_islands(const System& system,
                   std::vector<Island>& islands);
 
 /// All cubes, free ones too, and all contacts as one island: what islands are compared with.
-void one_island(const System& system,
-                const std::vector<Contact>& contacts,
-                std::vector<Island>& islands);
+Island one_island(const System& system, const std::vector<Contact>& contacts);
 
 /// Adds an island for each cube that is in none.
 void add_free_cubes(const System& system, std::vector<Island>& islands);

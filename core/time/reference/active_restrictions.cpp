@@ -12,17 +12,6 @@
 namespace wuerfel {
 namespace {
 
-void group_cubes(const std::vector<Contact>& contacts,
-                 const Workspace& work,
-                 std::vector<Island>& islands) {
-  if (!work.skips.islands) {
-    one_island(*work.system, contacts, islands);
-    return;
-  }
-  find_islands(*work.system, contacts, islands);
-  if (!work.skips.free_bodies) add_free_cubes(*work.system, islands);
-}
-
 /// Nothing has changed about an island since its rest was certified: the forces are the same, too.
 void keep_rest(GridPoint& point, const GridPoint& before) {
   std::size_t k = 0;
@@ -98,7 +87,7 @@ void find_restrictions(GridPoint& point, Workspace& work, Bookkeeping& book) {
   std::vector<Contact> contacts;
   work.finder.find(*work.system, point.state, contacts);
   note_overlap(work.finder.deepest().depth, work.finder.deepest().scale, book.audit);
-  group_cubes(contacts, work, point.islands);
+  point.islands = group_cubes(*work.system, contacts, work.skips);
   point.solutions.resize(point.islands.size());
   keep_rest(point, before);
   std::vector<ContactId> lasting;
