@@ -77,8 +77,7 @@ bool jam_rods(const Island& island, double t, bool hits, Instant& now, Workspace
   if (!hits) now.contradicting = jam.rods;
   const State before = now.state;
   set_velocities(island, jam.hit.after.twists, now.state);
-  for (Event& e : jam_events(system, before, now.state, jam.rods, t))
-    now.events.push_back(std::move(e));
+  add_jam_events(system, before, now.state, jam.rods, t, now.events);
   add_impacts(system, island, jam.hit, t, EventKind::jam, now);
   // Rods in one line that take a blow across them pull at fixed places with impulses that no first order tells.
   if (std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); })) {

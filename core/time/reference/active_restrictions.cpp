@@ -63,8 +63,7 @@ void jam_island(GridPoint& point,
   point.push += unexplained(system, before, point.state, 0.0, {});
   book.audit.impact_loss += jam.hit.loss;
   if (!struck || jam.rods == jammed) note_contradiction(system, jam.rods, point.t, book);
-  for (Event& e : jam_events(system, before, point.state, jam.rods, point.t))
-    book.events.push_back(std::move(e));
+  add_jam_events(system, before, point.state, jam.rods, point.t, book.events);
   point.jammed.insert(point.jammed.end(), jam.rods.begin(), jam.rods.end());
 }
 

@@ -195,8 +195,7 @@ void RattleStepper::jam(Step& step, StepRecord& record, double t) {
     }
     if (jam.rods.empty()) continue;
     if (jam.rods == jammed_) note_contradiction(*system_, jam.rods, t, step.book);
-    for (Event& e : jam_events(*system_, stride_.before, step.state, jam.rods, t + stride_.h))
-      step.book.events.push_back(std::move(e));
+    add_jam_events(*system_, stride_.before, step.state, jam.rods, t + stride_.h, step.book.events);
     step.jammed.insert(step.jammed.end(), jam.rods.begin(), jam.rods.end());
   }
 }
