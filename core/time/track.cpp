@@ -35,7 +35,7 @@ Track::Track(const System& system, const MotionSettings& settings, const MotionP
       events_(system, settings),
       crowding_(system.cubes, policy_.only_events) {}
 
-void Track::begin_steps(const State& state, double t) {
+void Track::begin_steps(const State& state, double t, double until) {
   if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_, policy_);
   const bool chosen = policy_.step > 0.0;
   steps_->begin(state, chosen ? policy_.step : first_step * crowding_.frame(),
@@ -43,6 +43,7 @@ void Track::begin_steps(const State& state, double t) {
   stepping_ = true;
   moving_.assign(state.size(), 0);
   clock_ = t;
+  until_ = until;
 }
 
 void Track::start(const State& state,
@@ -56,12 +57,9 @@ void Track::start(const State& state,
   stepping_ = false;
   part_.reset();
   if (only_steps_) return go_on_from(state, t, touching, std::move(resting));
-  if (stepping.until > t && !policy_.only_steps) {
-    // What is stepped anyway meets its impacts in steps.
-    begin_steps(state, t);
-    until_ = std::max(stepping.until, t + crowding_.frame());
-    return;
-  }
+  // What is stepped anyway meets its impacts in steps.
+  if (stepping.until > t && !policy_.only_steps)
+    return begin_steps(state, t, std::max(stepping.until, t + crowding_.frame()));
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
   const ContactLimits limits{std::max(touching, event_touching)};
   const bool fits = events_.start(state, t, limits, std::move(resting), book_);
@@ -70,11 +68,11 @@ void Track::start(const State& state,
     (void)move_part(touching);
     return;
   }
-  begin_steps(fits ? events_.state() : state, t);
   const bool settles = system_->rubs || system_->bounces;
-  until_ = !policy_.only_steps ? t + crowding_.frame()
-           : settles           ? t + longest_step * crowding_.frame()
-                               : std::numeric_limits<double>::infinity();
+  begin_steps(fits ? events_.state() : state, t,
+              !policy_.only_steps ? t + crowding_.frame()
+              : settles           ? t + longest_step * crowding_.frame()
+                                  : std::numeric_limits<double>::infinity());
 }
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
@@ -104,8 +102,7 @@ Stepping later(const Stepping& a, const Stepping& b) {
 void Track::go_on_from(const State& state, double t, double touching, std::vector<char> resting) {
   if (rest_from(state, t, touching, std::move(resting)) || part_from(state, t, touching, held_for))
     return;
-  begin_steps(state, t);
-  until_ = t + longest_step * crowding_.frame();
+  begin_steps(state, t, t + longest_step * crowding_.frame());
 }
 
 /// Whether most of the cubes stand, and only the others go on, in steps of at most so many frames.
@@ -150,13 +147,10 @@ void Track::advance_part(double limit) {
 
 /// The whole group moves again.
 void Track::go_on_after(const PartialMotion& part) {
-  if (only_steps_) {
-    begin_steps(part.state(), part.clock());
-    until_ = crowding_.frames_after(clock_, longest_step);
-    return;
-  }
-  if (part.is_stepped()) return hand_over(part.state(), part.clock());
-  follow_from(part.state(), part.clock(), {}, part.resting());
+  const double t = part.clock();
+  if (only_steps_) return begin_steps(part.state(), t, crowding_.frames_after(t, longest_step));
+  if (part.is_stepped()) return hand_over(part.state(), t);
+  follow_from(part.state(), t, {}, part.resting());
 }
 
 /// From event to event from a state on; where that leaves overlap, or cubes are wedged, in steps.
@@ -178,8 +172,7 @@ void Track::rest_there(const State& state, double t) {
     add(found, book_);
     return;
   }
-  begin_steps(state, t);
-  until_ = crowding_.frames_after(clock_, longest_step);
+  begin_steps(state, t, crowding_.frames_after(t, longest_step));
 }
 
 double Track::clock() const {
@@ -278,8 +271,7 @@ bool Track::take_blows() {
 }
 
 void Track::hand_over(const State& state, double t) {
-  begin_steps(state, t);
-  until_ = crowding_.step_from(t);
+  begin_steps(state, t, crowding_.step_from(t));
   ++book_.cost.hand_overs;
 }
 

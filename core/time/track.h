@@ -78,7 +78,7 @@ class Track {
                    std::vector<char> resting);
   void go_on_from(const State& state, double t, double touching, std::vector<char> resting);
   void rest_there(const State& state, double t);
-  void begin_steps(const State& state, double t);
+  void begin_steps(const State& state, double t, double until);
   [[nodiscard]] bool leaves_overlap(const Audit& before);
   void consider_events();
   void hand_over(const State& state, double t);
