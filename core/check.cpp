@@ -53,7 +53,7 @@ void strike(State& state, Workspace& work, Bookkeeping& book) {
   for (const Island& island : islands) {
     if (!rubs(system, island) && !bounces(system, island)) continue;
     if (!closes(system, state, island)) continue;
-    const IslandSolution after = impact(system, state, island, slow, work.friction).after;
+    const IslandSolution after = work.friction.impact(state, island, slow);
     keep_book(after, book);
     set_velocities(island, after.twists, state);
   }

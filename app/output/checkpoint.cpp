@@ -24,21 +24,15 @@ void transfer_violation(Archive& archive, std::optional<Violation>& violation) {
   archive(there);
   if (!there) return;
   if (!violation) violation.emplace();
-  archive(violation->promise);
-  archive(violation->t);
-  transfer_list(archive, violation->bodies);
-  archive(violation->text);
+  transfer_all(archive, violation->promise, violation->t, violation->bodies, violation->text);
 }
 
 template <class Archive>
 void transfer_checkpoint(Archive& archive, Checkpoint& checkpoint) {
   archive(checkpoint.restart_point);
   checkpoint.moments.resize(archive.count(checkpoint.moments.size()));
-  for (Moment& moment : checkpoint.moments) {
-    archive(moment.t);
-    transfer_list(archive, moment.state);
-    archive(moment.loaded);
-  }
+  for (Moment& moment : checkpoint.moments)
+    transfer_all(archive, moment.t, moment.state, moment.loaded);
   transfer_violation(archive, checkpoint.first_violation);
 }
 

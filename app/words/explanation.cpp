@@ -44,7 +44,7 @@ std::string way_name(int sense, Language language) {
 
 /// Up, down, left or right, whichever a direction is nearest to.
 Phrase direction_of(const StillScene& still, const Vec2& v) {
-  const double right = v.dot(right_of(still.down()));
+  const double right = v.dot(still.right());
   const double down = v.dot(still.down());
   if (std::abs(right) > std::abs(down))
     return right > 0.0 ? Phrase::to_the_right : Phrase::to_the_left;
@@ -53,7 +53,7 @@ Phrase direction_of(const StillScene& still, const Vec2& v) {
 
 Phrase corner_of(const StillScene& still, int cube, const Vec2& point) {
   const Vec2 arm = point - still.state[cube].position;
-  const bool right = arm.dot(right_of(still.down())) > 0.0;
+  const bool right = arm.dot(still.right()) > 0.0;
   if (arm.dot(still.down()) > 0.0) return right ? Phrase::lower_right : Phrase::lower_left;
   return right ? Phrase::upper_right : Phrase::upper_left;
 }

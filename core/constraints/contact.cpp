@@ -51,6 +51,20 @@ double gap_rounding(const Vec2& a, const Vec2& b) {
   return few_bits * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
 }
 
+double gap_rounding(const State& state) {
+  double largest = 0.0;
+  for (const BodyState& s : state)
+    largest = std::max(largest, gap_rounding(s.position, s.position));
+  return largest;
+}
+
+std::vector<ContactId> sorted_ids(std::span<const Contact> contacts) {
+  std::vector<ContactId> ids(contacts.size());
+  std::ranges::transform(contacts, ids.begin(), &Contact::id);
+  std::ranges::sort(ids);
+  return ids;
+}
+
 ContactVelocity contact_velocity(const System& system, const State& state, const Contact& contact) {
   ContactVelocity v;
   if (system.is_cube(contact.on)) v.v_k = point_velocity(state[contact.on], contact.arm_k);
@@ -66,19 +80,22 @@ double gap_rate(const Contact& contact, const ContactVelocity& v) {
   return side_gap_rate(contact.normal, contact.alpha, v.v_i, v.v_j, v.v_k);
 }
 
-double contact_scale(const System& system, const Contact& contact) {
-  return std::min(system.body(contact.on).smaller_side(), system.body(contact.from).smaller_side());
+double contact_scale(const System& system, int on, int from) {
+  return std::min(system.body(on).smaller_side(), system.body(from).smaller_side());
 }
 
-double zero_rate(const System& system, const Contact& contact, const ContactVelocity& v) {
-  const double speed = std::max({v.v_i.norm(), v.v_j.norm(), v.v_k.norm()});
+double contact_scale(const System& system, const Contact& contact) {
+  return contact_scale(system, contact.on, contact.from);
+}
+
+double contact_speed(const System& system, const Contact& contact, const ContactVelocity& v) {
   const double fall = std::sqrt(system.gravity.norm() * contact_scale(system, contact));
-  return rate_tolerance * std::max(fall, speed);
+  return std::max({fall, v.v_i.norm(), v.v_j.norm(), v.v_k.norm()});
 }
 
 ContactMotion contact_motion(const System& system, const State& state, const Contact& contact) {
   const ContactVelocity v = contact_velocity(system, state, contact);
-  const double zero = zero_rate(system, contact, v);
+  const double zero = rate_tolerance * contact_speed(system, contact, v);
   const double rate = gap_rate(contact, v);
   if (rate < -zero) return ContactMotion::closing;
   return rate <= zero ? ContactMotion::resting : ContactMotion::opening;
@@ -117,8 +134,8 @@ void ContactFinder::find(const System& system,
     touch.surface = system.surface(touch.on, touch.from);
 }
 
-void ContactFinder::note(double separation, double scale, int a, int b) {
-  if (-separation > deepest_.depth) deepest_ = {-separation, scale, a, b};
+void ContactFinder::note(double separation, double scale) {
+  if (-separation > deepest_.depth) deepest_ = {-separation, scale};
 }
 
 void ContactFinder::find_between_boxes(const System& system,
@@ -131,11 +148,11 @@ void ContactFinder::find_between_boxes(const System& system,
                                       gap_rounding(box.center, box.center)));
   };
   for (const auto& [i, j] : neighbours_.find(system, bounds_of)) {
-    const double scale = std::min(system.body(i).smaller_side(), system.body(j).smaller_side());
+    const double scale = contact_scale(system, i, j);
     const std::size_t known = touches_.size();
     note(
         add_touching_contacts(system, state, boxes_, {i, j}, tolerance * scale, contacts, touches_),
-        scale, i, j);
+        scale);
     for (std::size_t k = known; k < touches_.size(); ++k)
       touches_[k].scale = scale;
   }
@@ -152,7 +169,7 @@ void ContactFinder::find_on_planes(const System& system,
       const double separation = plane_separation(plane.point, plane.normal, box);
       const double touching = std::max(tolerance * scale, gap_rounding(box.center, plane.point));
       if (separation > touching) continue;
-      note(separation, scale, i, p);
+      note(separation, scale);
       int corners = 0;
       for (int k = 0; k < box.corner_count(); ++k) {
         if (corner_gap(box, k, plane) > touching) continue;

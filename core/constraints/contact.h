@@ -15,6 +15,8 @@ inline constexpr double rate_tolerance = 1e-9;
 
 /// What rounding may leave of a gap between bodies at these places, m.
 double gap_rounding(const Vec2& a, const Vec2& b);
+/// The same between any cubes, m.
+double gap_rounding(const State& state);
 
 /// What of a contact stays the same from step to step: bodies of corner and side, and their numbers, as one number in
 /// the order of these, not negative.
@@ -46,6 +48,9 @@ struct Contact {
   [[nodiscard]] ContactId id() const { return contact_id(on, from, corner, side); }
 };
 
+/// What stays the same of contacts, ascending.
+std::vector<ContactId> sorted_ids(std::span<const Contact> contacts);
+
 /// Velocities of the three points of a contact.
 struct ContactVelocity {
   Vec2 v_i = Vec2::Zero();
@@ -58,8 +63,8 @@ ContactVelocity contact_velocity(const System& system, const State& state, const
 /// Rate of the gap, m/s: Eq. (6) with the unit normal.
 double gap_rate(const Contact& contact, const ContactVelocity& velocity);
 
-/// What counts as zero of the rates of a contact, m/s.
-double zero_rate(const System& system, const Contact& contact, const ContactVelocity& velocity);
+/// max(sqrt(g side), |v|), by which the rates of a contact are measured, m/s.
+double contact_speed(const System& system, const Contact& contact, const ContactVelocity& velocity);
 
 enum class ContactMotion { closing, resting, opening };
 
@@ -67,7 +72,8 @@ enum class ContactMotion { closing, resting, opening };
 /// zero.
 ContactMotion contact_motion(const System& system, const State& state, const Contact& contact);
 
-/// Length by which a contact's tolerances are measured: the smaller side of the two bodies, m.
+/// Length by which tolerances of two bodies, or of a contact, are measured: their smaller side, m.
+double contact_scale(const System& system, int on, int from);
 double contact_scale(const System& system, const Contact& contact);
 
 /// The same corner and side at other poses, and the gap alone.
@@ -89,12 +95,10 @@ class ContactFinder {
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }
   /// Boxes posed by the last `find`.
   [[nodiscard]] std::span<const Box> boxes() const { return boxes_; }
-  /// Deepest overlap seen by the last `find` and between whom, m; 0 where there is none.
+  /// Deepest overlap seen by the last `find`, m; 0 where there is none.
   struct Overlap {
     double depth = 0.0;
     double scale = 1.0;  ///< m, the smaller side of the pair
-    int a = -1;
-    int b = -1;
   };
   [[nodiscard]] const Overlap& deepest() const { return deepest_; }
 
@@ -104,7 +108,7 @@ class ContactFinder {
                           double tolerance,
                           std::vector<Contact>& contacts);
   void find_on_planes(const System& system, double tolerance, std::vector<Contact>& contacts);
-  void note(double separation, double scale, int a, int b);
+  void note(double separation, double scale);
 
   std::vector<Box> boxes_;
   Neighbours neighbours_;

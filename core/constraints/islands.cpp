@@ -91,15 +91,14 @@ void find_islands(const System& system,
   }
 }
 
-void one_island(const System& system,
-                const std::vector<Contact>& contacts,
-                std::vector<Island>& islands) {
-  islands.assign(1, {});
-  islands[0].cubes.resize(system.cubes);
-  std::iota(islands[0].cubes.begin(), islands[0].cubes.end(), 0);
-  islands[0].contacts = contacts;
-  islands[0].rods.resize(system.rods.size());
-  std::iota(islands[0].rods.begin(), islands[0].rods.end(), 0);
+Island one_island(const System& system, const std::vector<Contact>& contacts) {
+  Island all;
+  all.cubes.resize(system.cubes);
+  std::iota(all.cubes.begin(), all.cubes.end(), 0);
+  all.contacts = contacts;
+  all.rods.resize(system.rods.size());
+  std::iota(all.rods.begin(), all.rods.end(), 0);
+  return all;
 }
 
 void add_free_cubes(const System& system, std::vector<Island>& islands) {
@@ -111,6 +110,20 @@ void add_free_cubes(const System& system, std::vector<Island>& islands) {
   for (int i = 0; i < system.cubes; ++i) {
     if (!taken[i]) islands.push_back({{i}, {}, {}});
   }
+}
+
+bool touches_fixed(const System& system, std::span<const Contact> contacts) {
+  return std::ranges::any_of(
+      contacts, [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); });
+}
+
+bool is_fixed(const System& system, const Island& island) {
+  return touches_fixed(system, island.contacts)
+         || std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
+}
+
+bool all_rest(const Island& island, const std::vector<char>& resting) {
+  return std::ranges::all_of(island.cubes, [&](int cube) { return resting[cube] != 0; });
 }
 
 }  // namespace wuerfel

@@ -33,11 +33,17 @@ void find_islands(const System& system,
                   std::vector<Island>& islands);
 
 /// All cubes, free ones too, and all contacts as one island: what islands are compared with.
-void one_island(const System& system,
-                const std::vector<Contact>& contacts,
-                std::vector<Island>& islands);
+Island one_island(const System& system, const std::vector<Contact>& contacts);
 
 /// Adds an island for each cube that is in none.
 void add_free_cubes(const System& system, std::vector<Island>& islands);
+
+/// Whether a fixed body takes part in one of the contacts.
+bool touches_fixed(const System& system, std::span<const Contact> contacts);
+/// Whether a contact or a rod joins an island to something fixed.
+bool is_fixed(const System& system, const Island& island);
+
+/// Whether all cubes of an island rest (`resting`: one per cube).
+bool all_rest(const Island& island, const std::vector<char>& resting);
 
 }  // namespace wuerfel

@@ -136,33 +136,21 @@ Candidates separating_sides(std::span<const Box> boxes, int i, int j, double tol
   return found;
 }
 
-/// The deepest of the incident corners.
-Contact deepest_corner(const FacingSide& s, const Box& a, const Box& b, const Incident& incident) {
+/// The incident corner of which `size` is least.
+template <typename Size>
+Contact least_corner(
+    const FacingSide& s, const Box& a, const Box& b, const Incident& incident, const Size& size) {
   Contact best = corner_on_side(s.on, b, incident.corner[0], s.from, a, s.side);
   for (int m = 1; m < incident.count; ++m) {
     const Contact c = corner_on_side(s.on, b, incident.corner[m], s.from, a, s.side);
-    if (c.gap < best.gap) best = c;
+    if (size(c) < size(best)) best = c;
   }
   return best;
 }
 
-/// The incident corner that is nearest to the middle of the side.
-Contact nearest_to_middle(const FacingSide& s,
-                          const Box& a,
-                          const Box& b,
-                          const Incident& incident) {
-  Contact best = corner_on_side(s.on, b, incident.corner[0], s.from, a, s.side);
-  for (int m = 1; m < incident.count; ++m) {
-    const Contact c = corner_on_side(s.on, b, incident.corner[m], s.from, a, s.side);
-    if (std::abs(c.alpha - 0.5) < std::abs(best.alpha - 0.5)) best = c;
-  }
-  return best;
-}
-
-/// The incident corner that a contact which is not flush is at.
+/// The incident corner that a contact which is not flush is at: of several the one nearest to the middle of the side.
 Contact corner_of(const FacingSide& s, const Box& a, const Box& b, const Incident& incident) {
-  return incident.count >= 2 ? nearest_to_middle(s, a, b, incident)
-                             : deepest_corner(s, a, b, incident);
+  return least_corner(s, a, b, incident, [](const Contact& c) { return std::abs(c.alpha - 0.5); });
 }
 
 /// Corner on corner: of all sides that separate, the one that opens fastest.
@@ -236,8 +224,9 @@ double add_touching_contacts(const System& system,
 Contact deepest_corner_at(std::span<const Box> boxes, int from, int on, int side) {
   const Box& a = boxes[from];
   const Box& b = boxes[on];
-  return deepest_corner({from, on, side, 0.0}, a, b,
-                        incident_corners(a, side, b, std::numeric_limits<double>::max()));
+  return least_corner({from, on, side, 0.0}, a, b,
+                      incident_corners(a, side, b, std::numeric_limits<double>::max()),
+                      [](const Contact& c) { return c.gap; });
 }
 
 Contact nearest_corner(std::span<const Box> boxes, int i, int j) {

@@ -22,13 +22,6 @@ std::vector<SideUse> uses(const IslandSolution& solution) {
   return use;
 }
 
-std::vector<double> unknowns(const std::vector<Twist>& twists) {
-  std::vector<double> x;
-  for (const Twist& a : twists)
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  return x;
-}
-
 /// Forces of least norm with the accelerations x under friction, or, where none better are found, those given. Returns
 /// their residual.
 double choose(const FrictionProgram& friction,
@@ -57,6 +50,10 @@ void take_rods(const std::vector<double>& multiplier,
 
 }  // namespace
 
+double ContactForces::least_pressing() const {
+  return force.empty() ? 0.0 : pressing_share * std::ranges::max(force);
+}
+
 ContactForces canonical_forces(const System& system,
                                const State& state,
                                const Island& island,
@@ -70,7 +67,7 @@ ContactForces canonical_forces(const System& system,
     if (use[k] != SideUse::none) multiplier.push_back(solution.forces[k]);
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
-  const std::vector<double> x = unknowns(accelerations);
+  const std::vector<double> x = unknowns_of(accelerations);
   const LeastNormMultipliers least =
       canonical_multipliers(builder.program(), x, multiplier, uniqueness == Uniqueness::asked);
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1)};
@@ -111,7 +108,7 @@ ContactForces canonical_forces_with_friction(const System& system,
   CanonicalForces least;
   ContactForces result{std::vector<double>(use.size(), 0.0), std::vector<char>(use.size(), 1),
                        std::vector<double>(use.size(), 0.0)};
-  result.residual = choose(friction, unknowns(accelerations), multiplier, uniqueness, least);
+  result.residual = choose(friction, unknowns_of(accelerations), multiplier, uniqueness, least);
   const auto rods = static_cast<std::ptrdiff_t>(friction.contacts.size());
   take_rods(least.multiplier, {least.unique.begin() + rods, least.unique.end()}, island.rods.size(),
             result);

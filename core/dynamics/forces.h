@@ -25,6 +25,8 @@ struct ContactForces {
   std::vector<double>
       rods{};  ///< N; one per rod of the island, on the body of place i (rod_rows.h)
   std::vector<char> rods_unique{};  ///< likewise, as `unique`
+  /// N; a contact presses where its force is greater than this: as IslandSolution::least_pressing.
+  [[nodiscard]] double least_pressing() const;
   /// Of these very forces: QpResidual::worst() with the accelerations, and body by body what they miss
   /// of Newton's law in parts of the largest force on the body (ResidualMeter::imbalance); where
   /// something rubs CoulombResidual::worst().

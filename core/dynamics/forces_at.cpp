@@ -38,6 +38,16 @@ std::vector<ContactId> ids(std::span<const Contact> contacts) {
 
 }  // namespace
 
+std::vector<Island> group_cubes(const System& system,
+                                const std::vector<Contact>& contacts,
+                                const Skips& skips) {
+  if (!skips.islands) return {one_island(system, contacts)};
+  std::vector<Island> islands;
+  find_islands(system, contacts, islands);
+  if (!skips.free_bodies) add_free_cubes(system, islands);
+  return islands;
+}
+
 bool stands_still(const Island& island, const State& state) {
   return std::ranges::all_of(island.cubes, [&](int cube) { return is_still(state[cube]); });
 }
@@ -81,13 +91,7 @@ std::vector<IslandForces> ForceFinder::find_touching(const State& state,
       if (known.insert(c.id()).second) contacts.push_back(at_poses(*system_, finder_.boxes(), c));
     }
   }
-  std::vector<Island> islands;
-  if (settings_.skips.islands) {
-    find_islands(*system_, contacts, islands);
-    if (!settings_.skips.free_bodies) add_free_cubes(*system_, islands);
-  } else {
-    one_island(*system_, contacts, islands);
-  }
+  std::vector<Island> islands = group_cubes(*system_, contacts, settings_.skips);
   std::vector<IslandForces> result(islands.size());
   for (std::size_t m = 0; m < islands.size(); ++m) {
     for (const Contact& c : islands[m].contacts)

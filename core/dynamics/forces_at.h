@@ -82,6 +82,11 @@ InstantForces forces_at(const System& system,
                         const State& state,
                         Detail detail);
 
+/// Cubes that contacts and rods join; free ones, too, or all as one, where `skips` do not leave that out.
+std::vector<Island> group_cubes(const System& system,
+                                const std::vector<Contact>& contacts,
+                                const Skips& skips);
+
 /// Whether the cubes of an island stand perfectly still.
 bool stands_still(const Island& island, const State& state);
 

@@ -35,6 +35,11 @@ double IslandSolution::largest_force() const {
 
 double IslandSolution::least_pressing() const { return pressing_share * largest_force(); }
 
+Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
+  const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
+  return solution.forces[k] * c.normal + side * perp(c.normal);
+}
+
 IslandDynamics::IslandDynamics(const System& system,
                                const MotionSettings& settings,
                                const ProgramTolerances& tolerances)

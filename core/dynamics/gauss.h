@@ -40,6 +40,9 @@ struct [[nodiscard]] IslandSolution {
   [[nodiscard]] double least_pressing() const;
 };
 
+/// The impulse (N s), or force (N), of a solution on the body of the corner of its contact k.
+Vec2 impulse_at(const Contact& contact, const IslandSolution& solution, std::size_t k);
+
 /// How exactly programs of more than a few cubes are solved: bounds of QpResidual::worst(). Small
 /// ones are always exact, which costs them nothing.
 struct ProgramTolerances {

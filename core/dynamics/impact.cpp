@@ -50,18 +50,10 @@ Impact impact(const System& system,
               const State& state,
               const Island& island,
               double slow,
-              FrictionDynamics& dynamics) {
-  return with_loss(system, state, island, dynamics.impact(state, island, slow));
-}
-
-Impact impact(const System& system,
-              const State& state,
-              const Island& island,
-              double slow,
               IslandDynamics& dynamics,
               FrictionDynamics& friction) {
   return rubs(system, island) || bounces(system, island)
-             ? impact(system, state, island, slow, friction)
+             ? with_loss(system, state, island, friction.impact(state, island, slow))
              : impact(system, state, island, dynamics);
 }
 

@@ -23,14 +23,8 @@ Impact impact(const System& system,
               const State& state,
               const Island& island,
               IslandDynamics& dynamics);
-/// The same with friction and restitution, for islands that rub or bounce. What closes more slowly
+/// The same with friction and restitution where the island rubs or bounces. What closes more slowly
 /// than `slow` (m/s) does not bounce.
-Impact impact(const System& system,
-              const State& state,
-              const Island& island,
-              double slow,
-              FrictionDynamics& dynamics);
-/// By the law that the island needs.
 Impact impact(const System& system,
               const State& state,
               const Island& island,

@@ -19,13 +19,6 @@ constexpr double strong_friction = 8.0;
 constexpr int newton_factorisations = 8;
 constexpr int seeds_from_open = 3;
 
-std::vector<double> flat(const std::vector<Twist>& twists) {
-  std::vector<double> x;
-  for (const Twist& a : twists)
-    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
-  return x;
-}
-
 void read_forces(const ProgramBuilder& builder,
                  const std::vector<double>& x,
                  const std::vector<double>& multiplier,
@@ -104,7 +97,7 @@ IslandSolution exact_law(const ProgramBuilder& builder, const State& state, cons
 /// The multipliers that the law has at the contacts' forces of another solution and its slips.
 std::vector<double> with_slips(const ProgramBuilder& builder, const IslandSolution& of) {
   const FrictionProgram friction = builder.friction_program();
-  const std::vector<double> x = flat(of.twists);
+  const std::vector<double> x = unknowns_of(of.twists);
   const double scale = CoulombJudge().measure_scales(friction.program).velocity;
   std::vector<double> multiplier(friction.program.rows(), 0.0);
   std::ranges::copy(of.rods, multiplier.begin() + builder.first_rod_row());
@@ -177,10 +170,8 @@ std::vector<int> known_slips(const System& system,
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (system.surface(c.on, c.from).friction == 0.0) continue;
-    const ContactVelocity v = contact_velocity(system, state, c);
     const double slip = slip_rate(system, state, c);
-    const double speed = std::max({std::sqrt(system.gravity.norm() * contact_scale(system, c)),
-                                   v.v_k.norm(), v.v_i.norm(), v.v_j.norm()});
+    const double speed = contact_speed(system, c, contact_velocity(system, state, c));
     if (std::abs(slip) > dead_zone * speed) slides[k] = slip > 0.0 ? 1 : -1;
   }
   return slides;

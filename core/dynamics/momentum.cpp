@@ -15,14 +15,6 @@ double spin_of(const Body& body, const RigidMotion& motion) {
   return is_point(body) ? 0.0 : motion.spin;
 }
 
-/// Whether a contact or a rod of an island joins it to something fixed.
-bool is_fixed(const System& system, const Island& island) {
-  return std::ranges::any_of(
-             island.contacts,
-             [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); })
-         || std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); });
-}
-
 /// `for_each_cube(add)` calls add(cube) for every cube that counts.
 template <typename Cubes>
 Momentum sum_momenta(const System& system, const State& state, const Cubes& for_each_cube) {

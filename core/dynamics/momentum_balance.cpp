@@ -6,6 +6,7 @@
 #include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
+
 Vec2 common_center(const System& system, const State& state, std::span<const char> resting) {
   double mass = 0.0;
   Vec2 sum = Vec2::Zero();
@@ -15,11 +16,6 @@ Vec2 common_center(const System& system, const State& state, std::span<const cha
     sum += system.body(i).mass * state[i].position;
   }
   return mass > 0.0 ? Vec2(sum / mass) : sum;
-}
-
-bool touches_fixed(const System& system, std::span<const Contact> contacts) {
-  return std::ranges::any_of(
-      contacts, [&](const Contact& c) { return !system.is_cube(c.on) || !system.is_cube(c.from); });
 }
 
 void add_push(const System& system,
@@ -52,9 +48,7 @@ Push push_of(const System& system,
   Push sum;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
-    const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
-    const Vec2 impulse = solution.forces[k] * c.normal + side * perp(c.normal);
-    add_push(system, state, center, c, impulse, sum);
+    add_push(system, state, center, c, impulse_at(c, solution, k), sum);
   }
   for (std::size_t k = 0; k < solution.rods.size(); ++k)
     add_push(state, center, system.rods[island.rods[k]], solution.rods[k], sum);

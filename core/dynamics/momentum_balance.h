@@ -13,9 +13,6 @@ namespace wuerfel {
 /// Centre of mass of the cubes that do not rest (`resting`: one per cube, or empty), m.
 Vec2 common_center(const System& system, const State& state, std::span<const char> resting = {});
 
-/// Whether a fixed body takes part in one of the contacts.
-bool touches_fixed(const System& system, std::span<const Contact> contacts);
-
 /// Adds what a fixed body does to the cubes through a contact that pushes the body of its corner by
 /// `impulse` (N s, or N). What cubes do to one another has no sum.
 void add_push(const System& system,

@@ -1,5 +1,4 @@
 // Rows of ProgramBuilder on the points of the paper: every point is a block of its own.
-#include "core/constraints/rod.h"
 #include "core/dynamics/programs.h"
 #include "core/dynamics/rod_rows.h"
 #include "core/model/points.h"
@@ -46,7 +45,7 @@ void ProgramBuilder::add_rods(const State& state, int cube, Order order) {
 }
 
 void ProgramBuilder::add_rod(const State& state, const Rod& rod, Order order) {
-  const PlaceRodRow row = rod_row(rod, held_place(rod.i, state), held_place(rod.j, state), order);
+  const RodRow row = rod_row(rod, held_place(rod.i, state), held_place(rod.j, state), order);
   program_.add_equality(-row.c);
   add_held_place(rod.i, row.g);
   add_held_place(rod.j, -row.g);

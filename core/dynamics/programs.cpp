@@ -25,6 +25,13 @@ std::int64_t name_of_rod(int number) { return (std::int64_t{1} << 62) + number; 
 
 }  // namespace
 
+std::vector<double> unknowns_of(const std::vector<Twist>& motions) {
+  std::vector<double> x;
+  for (const Twist& a : motions)
+    x.insert(x.end(), {a.linear.x(), a.linear.y(), a.angular});
+  return x;
+}
+
 bool ProgramBuilder::is_point(int cube) const {
   return system_->body(cube).kind == BodyKind::point;
 }

@@ -28,6 +28,9 @@
 
 namespace wuerfel {
 
+/// Motions of cubes as unknowns of the rigid form, x, y, theta each.
+std::vector<double> unknowns_of(const std::vector<Twist>& motions);
+
 /// How a contact enters a program.
 enum class SideUse { inequality, equality, none };
 

@@ -71,7 +71,7 @@ bool misses_rods(const System& system, const State& state, const State& accelera
   return worst > surely_missed_share * scale;
 }
 
-RodsOfIsland rods_of_island(const System& system, const State& state, const Island& island) {
+RodConsistency rods_of_island(const System& system, const State& state, const Island& island) {
   Island rods{island.cubes, {}, {}, island.rods};
   const Fit fits = fit(system, state, rods);
   if (fits != Fit::contradicting) return {{}, fits == Fit::redundant};
@@ -85,9 +85,9 @@ RodConsistency rod_consistency(const System& system, const State& state) {
   std::vector<Island> islands;
   find_islands(system, {}, islands);
   for (const Island& island : islands) {
-    const RodsOfIsland rods = rods_of_island(system, state, island);
+    const RodConsistency rods = rods_of_island(system, state, island);
     found.redundant = found.redundant || rods.redundant;
-    found.contradicting = rod_names(system, rods.contradicting);
+    found.contradicting = rods.contradicting;
     if (!found.contradicting.empty()) break;
   }
   return found;

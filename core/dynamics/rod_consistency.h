@@ -11,13 +11,13 @@
 
 namespace wuerfel {
 
-/// How the rods of an island go together.
-struct RodsOfIsland {
+/// How rods go together.
+struct RodConsistency {
   /// Numbers in System::rods of some that contradict each other, of which none can be left out; empty: none do.
   std::vector<int> contradicting;
   bool redundant = false;  ///< whether some depend on the others
 };
-RodsOfIsland rods_of_island(const System& system, const State& state, const Island& island);
+RodConsistency rods_of_island(const System& system, const State& state, const Island& island);
 
 /// Whether accelerations (the velocities of `accelerated`) miss what keeps the lengths of rods, by more than where rows
 /// are only nearly dependent, as close to a stretched position that a mechanism passes.
@@ -26,13 +26,7 @@ bool misses_rods(const System& system, const State& state, const State& accelera
 /// Names of rods and pins, each once.
 std::vector<std::string> rod_names(const System& system, std::span<const int> rods);
 
-struct RodConsistency {
-  /// Names of rods and pins that contradict each other, of which none can be left out; empty where there are none.
-  std::vector<std::string> contradicting;
-  bool redundant = false;  ///< whether some depend on the others
-};
-
-/// Of rods at a state whose velocities satisfy them.
+/// Of all rods at a state whose velocities satisfy them.
 RodConsistency rod_consistency(const System& system, const State& state);
 
 /// The same a moment later, of what is at rest and begins to move with these accelerations (one per cube): a point

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/constraints/rod.h"
 #include "core/dynamics/pull_back.h"
 #include "core/geometry/box.h"
 
@@ -47,8 +46,8 @@ HeldPlace held_place(const RodEnd& end, const State& state) {
   return {arm, s.position + arm, point_velocity(s, arm)};
 }
 
-PlaceRodRow rod_row(const Rod& rod, const HeldPlace& i, const HeldPlace& j, Order order) {
-  PlaceRodRow row{direction(rod, i, j), 0.0};
+RodRow rod_row(const Rod& rod, const HeldPlace& i, const HeldPlace& j, Order order) {
+  RodRow row{direction(rod, i, j), 0.0};
   if (order == Order::position) row.c = excess(rod, i, j);
   if (order == Order::acceleration && rod.kind == Rod::Kind::rod)
     row.c = rod_acceleration_row(i.p, j.p, i.v, j.v).c / (i.p - j.p).norm();
@@ -58,7 +57,7 @@ PlaceRodRow rod_row(const Rod& rod, const HeldPlace& i, const HeldPlace& j, Orde
 BodyRodRow rod_row(const Rod& rod, const State& state, Order order) {
   const HeldPlace i = held_place(rod.i, state);
   const HeldPlace j = held_place(rod.j, state);
-  const PlaceRodRow row = rod_row(rod, i, j, order);
+  const RodRow row = rod_row(rod, i, j, order);
   RigidRow on_i;
   RigidRow on_j;
   if (rod.i.body >= 0) pull_back(row.g, i.arm, spin_of(rod.i, state), on_i);

@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "core/constraints/rod.h"
 #include "core/dynamics/contact_rows.h"
 
 namespace wuerfel {
@@ -27,13 +28,9 @@ struct BodyRodRow {
   double c = 0.0;  ///< the length's error (m), 0 (m/s), or what no acceleration changes (m/s^2)
 };
 
-/// <g, x_i - x_j> + c = 0 in the rates of the two places.
-struct PlaceRodRow {
-  Vec2 g = Vec2::Zero();  ///< unit vector
-  double c = 0.0;
-};
-
-PlaceRodRow rod_row(const Rod& rod, const HeldPlace& i, const HeldPlace& j, Order order);
+/// On the two places; g is a unit vector.
+RodRow rod_row(const Rod& rod, const HeldPlace& i, const HeldPlace& j, Order order);
+/// On the bodies that carry them.
 BodyRodRow rod_row(const Rod& rod, const State& state, Order order);
 
 /// Direction of the multiplier's force on the body of place i, a unit vector.

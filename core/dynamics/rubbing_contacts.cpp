@@ -30,26 +30,27 @@ struct Equations {
   Eigen::VectorXd inverse_mass;
 };
 
-int place_of(const Island& island, int cube) {
-  const auto at = std::ranges::lower_bound(island.cubes, cube);
-  return 3 * static_cast<int>(at - island.cubes.begin());
+/// Adds a multiple of what a row asks of a body; nothing of one that is fixed.
+void add(const Island& island,
+         int body,
+         const std::array<double, 3>& g,
+         double factor,
+         Eigen::Ref<Eigen::RowVectorXd> out) {
+  const auto cube = std::ranges::lower_bound(island.cubes, body);
+  if (cube == island.cubes.end() || *cube != body) return;
+  const auto at = 3 * (cube - island.cubes.begin());
+  for (int i = 0; i < 3; ++i)
+    out[at + i] += factor * g[i];
 }
 
 /// Adds a multiple of a row, less its constant.
-void add(const System& system,
-         const Island& island,
+void add(const Island& island,
          const Contact& contact,
          const ContactRow& row,
          double factor,
-         Eigen::Ref<Eigen::RowVectorXd> out) {
-  const auto on_body = [&](int body, const std::array<double, 3>& g) {
-    if (!system.is_cube(body)) return;
-    const int at = place_of(island, body);
-    for (int i = 0; i < 3; ++i)
-      out[at + i] += factor * g[i];
-  };
-  on_body(contact.on, row.on);
-  on_body(contact.from, row.from);
+         const Eigen::Ref<Eigen::RowVectorXd>& out) {
+  add(island, contact.on, row.on, factor, out);
+  add(island, contact.from, row.from, factor, out);
 }
 
 void set_targets(
@@ -66,21 +67,6 @@ void set_targets(
     if (order == Order::velocity) e.target.segment<3>(at) << s.velocity.x(), s.velocity.y(), s.spin;
     at += 3;
   }
-}
-
-/// Sets the row of a rod.
-void add(const Island& island,
-         const Rod& rod,
-         const BodyRodRow& row,
-         Eigen::Ref<Eigen::RowVectorXd> out) {
-  const auto on_body = [&](int body, const std::array<double, 3>& g) {
-    if (body < 0) return;
-    const int at = place_of(island, body);
-    for (int i = 0; i < 3; ++i)
-      out[at + i] += g[i];
-  };
-  on_body(rod.i.body, row.i);
-  on_body(rod.j.body, row.j);
 }
 
 /// Once refined.
@@ -166,24 +152,24 @@ void RubbingContacts::solve(const System& system,
       const Contact& c = island.contacts[k];
       const ContactRow row =
           pull_back(system, state, c, order, normal_row(system, state, c, order));
-      add(system, island, c, row, 1.0, e.rows.row(k));
+      add(island, c, row, 1.0, e.rows.row(k));
       e.columns.row(k) = e.rows.row(k);
       e.bound[k] = -row.c;
       if (touch.slips == 0 || order != Order::acceleration) continue;
-      add(system, island, c, along(c, touch), -touch.slips * touch.surface.friction,
-          e.columns.row(k));
+      add(island, c, along(c, touch), -touch.slips * touch.surface.friction, e.columns.row(k));
     }
     if (!touch.sticks) continue;
     const Contact& c = island.contacts[touch.first];
     const ContactRow row = along(c, touch);
-    add(system, island, c, row, 1.0, e.rows.row(next));
+    add(island, c, row, 1.0, e.rows.row(next));
     e.columns.row(next) = e.rows.row(next);
     e.bound[next++] = -row.c;
   }
   for (const int number : island.rods) {
     const Rod& rod = system.rods[number];
     const BodyRodRow row = rod_row(rod, state, order);
-    add(island, rod, row, e.rows.row(next));
+    add(island, rod.i.body, row.i, 1.0, e.rows.row(next));
+    add(island, rod.j.body, row.j, 1.0, e.rows.row(next));
     e.columns.row(next) = e.rows.row(next);
     e.bound[next++] = -row.c;
   }

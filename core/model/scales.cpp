@@ -10,6 +10,10 @@ double size_of(const Body& body, const Twist& a) {
   return a.linear.norm() + body.smaller_side() * std::abs(a.angular);
 }
 
+double energy_in_motion(const System& system, const State& state, const Scales& scales) {
+  return kinetic_energy(system, state) + scales.weight * scales.length;
+}
+
 Scales scales_of(const System& system, const State& state) {
   Scales scales;
   double mass = 0.0;

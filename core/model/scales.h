@@ -16,6 +16,9 @@ struct Scales {
 /// |a| + side |alpha|, m/s^2: accelerations of a body are measured by it, of boxes those of their corners.
 double size_of(const Body& body, const Twist& a);
 
+/// Energy that is in motion or may come into it at once, J: kinetic, and that of a fall by L.
+double energy_in_motion(const System& system, const State& state, const Scales& scales);
+
 /// Scales of a system at a state. Where nothing moves and nothing falls, V is 1.
 Scales scales_of(const System& system, const State& state);
 

@@ -6,7 +6,6 @@
 #include "core/qp/qp_solver.h"
 
 namespace wuerfel {
-namespace {
 
 /// v * 0 is 0 for every number and not a number for everything else; eight sums keep the adders
 /// busy.
@@ -21,6 +20,8 @@ bool all_finite(const std::vector<double>& values) {
     sum[0] += values[i] * 0.0;
   return std::accumulate(sum.begin(), sum.end(), 0.0) == 0.0;
 }
+
+namespace {
 
 std::string_view size_defect(const QuadraticProgram& p) {
   const std::size_t rows = p.bound.size();

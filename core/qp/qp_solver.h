@@ -52,6 +52,9 @@ QpResidual optimality_residual(const QuadraticProgram& program,
                                const std::vector<double>& x,
                                const std::vector<double>& multiplier);
 
+/// Whether all values are numbers.
+bool all_finite(const std::vector<double>& values);
+
 /// The first thing wrong with the program, or an empty text.
 std::string_view defect(const QuadraticProgram& program);
 

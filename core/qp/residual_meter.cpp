@@ -12,24 +12,6 @@ double relative(double v, double scale) {
   return scale > 0.0 ? v / scale : unbounded;
 }
 
-/// sum_j J_j^2 weight_j over a row's coefficients.
-double square_of(const QuadraticProgram& p, int row, const std::vector<double>& weight) {
-  double sum = 0.0;
-  p.for_each_entry(row, [&](const double* J, int first, int size) {
-    for (int c = 0; c < size; ++c)
-      sum += J[c] * J[c] * weight[first + c];
-  });
-  return sum;
-}
-
-/// Zero if all values are numbers, else not a number.
-double nothing(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values)
-    sum += v * 0.0;
-  return sum;
-}
-
 /// 1 / scale, so that nothing but 0 passes a scale of 0.
 double inverse(double scale) { return scale > 0.0 ? 1.0 / scale : unbounded; }
 
@@ -59,6 +41,15 @@ void add_row(const Row& row, double per_force, double per_acceleration, QpResidu
 }
 
 }  // namespace
+
+double square_of(const QuadraticProgram& p, int row, const std::vector<double>& weight) {
+  double sum = 0.0;
+  p.for_each_entry(row, [&](const double* J, int first, int size) {
+    for (int c = 0; c < size; ++c)
+      sum += J[c] * J[c] * weight[first + c];
+  });
+  return sum;
+}
 
 void replace_zero_norms(std::vector<double>& norms) {
   double least = 1.0;
@@ -134,7 +125,7 @@ QpResidual ResidualMeter::measure(const QuadraticProgram& program,
                                   const std::vector<double>& x,
                                   const std::vector<double>& multiplier) {
   const bool fits = x.size() == program.mass.size() && multiplier.size() == program.bound.size();
-  if (!fits || nothing(x) != 0.0 || nothing(multiplier) != 0.0)
+  if (!fits || !all_finite(x) || !all_finite(multiplier))
     return {unbounded, unbounded, unbounded, unbounded};
 
   double force = scales_.weight;

@@ -24,6 +24,9 @@ struct ResidualScales {
 /// strictest judge of a bound that no point moves.
 void replace_zero_norms(std::vector<double>& norms);
 
+/// sum_j J_j^2 weight_j over a row's coefficients.
+double square_of(const QuadraticProgram& program, int row, const std::vector<double>& weight);
+
 /// Answers whose residual is below it are worth moving onto the rows that carry force.
 inline constexpr double worth_settling = 1e-4;
 /// An error up to here is rounding: work on it gains nothing.

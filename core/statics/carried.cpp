@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/dynamics/momentum.h"
-#include "core/statics/margins.h"
 #include "core/statics/parts.h"
 
 namespace wuerfel {
@@ -45,8 +44,17 @@ std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   }
   if (!normal) return std::nullopt;
   group.along = -perp(*normal);
-  if (group.along.dot(right_of(still.down())) < 0.0) group.along = -group.along;
+  if (group.along.dot(still.right()) < 0.0) group.along = -group.along;
   return group;
+}
+
+double smallest_side(const StillScene& still, const CarriedGroup& group) {
+  double side = unbounded;
+  for (const int cube : group.cubes) {
+    const Body& body = still.system.body(cube);
+    if (body.kind == BodyKind::cube) side = std::min(side, body.smaller_side());
+  }
+  return side;
 }
 
 State moved_state(const StillScene& still, const CarriedGroup& group, double distance) {

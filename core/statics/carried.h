@@ -18,6 +18,9 @@ struct CarriedGroup {
 /// None where the cube stands on sides that are not parallel, or on nothing.
 std::optional<CarriedGroup> carried_group(const StillScene& still, int cube);
 
+/// Of its cubes, m.
+double smallest_side(const StillScene& still, const CarriedGroup& group);
+
 /// The bodies with the group moved.
 State moved_state(const StillScene& still, const CarriedGroup& group, double distance);
 

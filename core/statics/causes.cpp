@@ -5,7 +5,6 @@
 
 #include "core/geometry/union_find.h"
 #include "core/model/scales.h"
-#include "core/statics/margins.h"
 #include "core/statics/sets.h"
 
 namespace wuerfel {
@@ -95,7 +94,7 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   if (cause.on.empty())
     cause.failure = cause.part.on_rods ? FailureMode::swings : FailureMode::drops;
   const Vec2& a = cause.part.motion.linear;
-  const double aside = a.dot(right_of(still.down()));
+  const double aside = a.dot(still.right());
   if (std::abs(aside) > no_motion * a.norm()) cause.sense = sign(aside);
   return cause;
 }
@@ -215,10 +214,6 @@ class Mechanism {
   double largest_ = 0.0;
 };
 
-void sort_by_size(std::vector<Cause>& causes) {
-  std::ranges::stable_sort(causes, {}, [](const Cause& c) { return c.part.cubes.size(); });
-}
-
 std::vector<Cause> all_causes(const StillScene& still, std::vector<int>& without) {
   std::vector<Cause> causes;
   for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
@@ -228,7 +223,7 @@ std::vector<Cause> all_causes(const StillScene& still, std::vector<int>& without
     if (causes.size() == before) without.push_back(m);
   }
   add_free(still, causes);
-  sort_by_size(causes);
+  std::ranges::stable_sort(causes, {}, [](const Cause& c) { return c.part.cubes.size(); });
   return causes;
 }
 

@@ -8,8 +8,8 @@
 #include "core/model/scales.h"
 #include "core/qp/coulomb/rest_program.h"
 #include "core/statics/carried.h"
-#include "core/statics/margins.h"
 #include "core/statics/move_margins.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -44,7 +44,7 @@ std::vector<Hold> holds(const StillScene& still,
                         const Island& island,
                         const std::vector<int>& cubes,
                         const Certificate& certificate) {
-  const Vec2 right = right_of(still.down());
+  const Vec2 right = still.right();
   double power = 0.0;
   std::vector<Hold> found;
   for (const int cube : cubes) {
@@ -130,10 +130,8 @@ std::vector<Fix> moves(const StillScene& still,
 std::vector<int> concerned(const Island& island, int m, const Causes& causes) {
   std::vector<int> cubes;
   const auto add = [&](const std::vector<int>& more) {
-    for (const int cube : more) {
-      const bool known = std::ranges::find(cubes, cube) != cubes.end();
-      if (!known && static_cast<int>(cubes.size()) < most_cubes) cubes.push_back(cube);
-    }
+    for (const int cube : more)
+      if (static_cast<int>(cubes.size()) < most_cubes) add_once(cube, cubes);
   };
   for (const Cause& cause : causes.causes)
     if (cause.island == m) add(cause.part.cubes);

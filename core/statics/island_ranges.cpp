@@ -108,9 +108,7 @@ LoadRange IslandRanges::sum(const std::vector<double>& of_rows) {
   Load q(load_.size(), 0.0);
   w.insert(w.end(), {0.0, 0.0, 0.0});
   q.insert(q.end(), {-unit_, 0.0, 0.0});
-  LoadRange range = LoadFactor(with_block(entries)).range(w, q);
-  if (is_empty(range)) return range;
-  return {range.low * unit_, range.high * unit_, range.error * unit_};
+  return LoadFactor(with_block(entries)).range(w, q).times(unit_);
 }
 
 LoadRange IslandRanges::force(const std::vector<int>& contacts) {

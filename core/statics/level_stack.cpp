@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/statics/margins.h"
-
 namespace wuerfel {
 namespace {
 
@@ -16,7 +14,7 @@ constexpr double no_face = 1e-6;
 }  // namespace
 
 LevelStack::LevelStack(const StillScene& still)
-    : still_(&still), right_(right_of(still.down())), parts_(still.system.cubes) {
+    : still_(&still), right_(still.right()), parts_(still.system.cubes) {
   pose_boxes(still.system, still.state, boxes_);
 }
 

@@ -77,15 +77,6 @@ class LimitMotion {
   EqualitySolver solver_;
 };
 
-double smallest_side(const StillScene& still, const CarriedGroup& group) {
-  double side = unbounded;
-  for (const int cube : group.cubes) {
-    if (still.system.body(cube).kind == BodyKind::cube)
-      side = std::min(side, still.system.body(cube).smaller_side());
-  }
-  return side;
-}
-
 }  // namespace
 
 std::optional<double> end_of_rest(const StillScene& still,

@@ -34,6 +34,10 @@ struct LoadRange {
   double error = 0.0;  ///< width of the bracket around each end
 
   [[nodiscard]] bool contains(double s) const { return low <= s && s <= high; }
+  /// In units of which the load's is so many; an empty one stays as it is.
+  [[nodiscard]] LoadRange times(double factor) const {
+    return low > high ? *this : LoadRange{low * factor, high * factor, error * factor};
+  }
 };
 
 /// Where there is no s at all.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/geometry/trig.h"
 #include "core/statics/generators.h"
@@ -15,11 +16,6 @@ namespace {
 
 LoadRange intersection(const LoadRange& a, const LoadRange& b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high), std::max(a.error, b.error)};
-}
-
-LoadRange scaled(const LoadRange& range, double factor) {
-  if (is_empty(range)) return range;
-  return {range.low * factor, range.high * factor, range.error * factor};
 }
 
 /// An end that is zero but for rounding, of a scene that stands, is zero: a knife edge.
@@ -85,16 +81,16 @@ class IslandMargins {
     const double side = still_.system.body(cube).smaller_side();
     const double lever = side * still_.weight(cube);
     // A weight that acts at r turns with det(r, down) times itself.
-    const double turn = det(right_of(still_.down()), still_.down());
+    const double turn = det(still_.right(), still_.down());
     const Load q = torque_on(of_.island, cube, lever * turn);
-    return around_zero(scaled(solver_.range(q), side), of_.rests);
+    return around_zero(solver_.range(q).times(side), of_.rests);
   }
 
   LoadRange load(int cube) {
     const double weight = still_.weight(cube);
     const Load q = force_at(still_, of_.island, cube, middle_of_highest_side(still_, cube),
                             weight * still_.down());
-    return around_zero(scaled(solver_.range(q), weight), of_.rests);
+    return around_zero(solver_.range(q).times(weight), of_.rests);
   }
 
  private:
@@ -152,8 +148,7 @@ std::vector<double> shares_at_most(const StillScene& still, const Island& island
 std::vector<int> cubes_of(const StillScene& still, const MarginRequest& request) {
   if (!request.cubes.empty()) return request.cubes;
   std::vector<int> all(still.system.cubes);
-  for (int i = 0; i < still.system.cubes; ++i)
-    all[i] = i;
+  std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
@@ -186,8 +181,6 @@ TiltMargin tilt_angles(const LoadRange& tangents) {
   return {angle(-tangents.low), angle(tangents.high)};
 }
 
-Vec2 right_of(const Vec2& down) { return perp(down); }
-
 LoadRange tilt_range(const StillScene& still, Sliding sliding) {
   LoadRange range;
   if (still.system.gravity.isZero(0.0)) return range;
@@ -195,7 +188,7 @@ LoadRange tilt_range(const StillScene& still, Sliding sliding) {
   for (const IslandForces& of : still.found.islands) {
     for (const int cube : of.island.cubes)
       free[cube] = 0;
-    const Load q = share_of_weights(still, of.island, right_of(still.down()));
+    const Load q = share_of_weights(still, of.island, still.right());
     range = intersection(range, IslandLoads(still, of.island, sliding).range(q));
     if (is_empty(range)) return no_load;
   }

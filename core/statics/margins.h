@@ -24,7 +24,7 @@ struct TiltMargin {
 /// (is_empty) that nothing of the kind does.
 struct BodyMargin {
   int cube = 0;
-  LoadRange shift;  ///< m, of its weight, along `right_of` gravity
+  LoadRange shift;  ///< m, of its weight, to the right of gravity
   LoadRange load;   ///< N, along gravity in the middle of its highest side; negative: a pull
   LoadRange move;   ///< m, of the cube with what it carries, along what it stands on
 };
@@ -47,9 +47,6 @@ struct Margins {
   int weakest = -1;    ///< that cube
   double error = 0.0;  ///< the widest bracket, in the units of its margin
 };
-
-/// Gravity turned left by a right angle: to the right where gravity points down.
-Vec2 right_of(const Vec2& down);
 
 /// Of a scene in which nothing moves.
 Margins find_margins(const StillScene& still,

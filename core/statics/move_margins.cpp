@@ -6,7 +6,6 @@
 
 #include "core/dynamics/momentum.h"
 #include "core/statics/limit_motion.h"
-#include "core/statics/margins.h"
 #include "core/statics/move_search.h"
 
 namespace wuerfel {
@@ -47,7 +46,7 @@ LoadRange needed(const StillScene& still, const Island& island, const CarriedGro
     if (part.stands()) continue;
     const double moved = moved_mass(still, group, cubes);
     if (moved == 0.0 || is_empty(part.shift)) return no_load;
-    const double times = part.mass / (moved * group.along.dot(right_of(still.down())));
+    const double times = part.mass / (moved * group.along.dot(still.right()));
     needed.low = std::max(needed.low, part.shift.low * times);
     needed.high = std::min(needed.high, part.shift.high * times);
   }
@@ -76,7 +75,7 @@ std::optional<double> mended_on_the_way(const MoveSearch& search, double nearest
 MoveMargins::MoveMargins(const StillScene& still, const MotionSettings& settings, int island)
     : still_(&still), settings_(&settings), island_(island) {
   const IslandForces& of = still.found.islands[island];
-  if (!still.falls(of)) level_ = LevelStack::of(still, of.island);
+  if (of.rests) level_ = LevelStack::of(still, of.island);
 }
 
 /// Where the centre of a part leaves what it stands on; mostly that is the first change.
@@ -91,7 +90,7 @@ double MoveMargins::expected_change(const CarriedGroup& group, double sense) {
   for (const PartStand& part : parts_) {
     const double moved = moved_mass(*still_, group, part.cubes);
     const double reach = sense > 0.0 ? part.shift.high : -part.shift.low;
-    const double along = group.along.dot(right_of(still_->down()));
+    const double along = group.along.dot(still_->right());
     if (moved > 0.0) nearest = std::min(nearest, reach * part.mass / (moved * along));
   }
   return sense * nearest;
@@ -132,7 +131,7 @@ LoadRange MoveMargins::range(int cube) {
 LoadRange MoveMargins::range_of(int cube, const CarriedGroup& group) {
   const MoveSearch search(*still_, *settings_, group);
   if (is_alone(*still_, group) && still_->verdict == Verdict::stands) return {};
-  if (still_->falls(still_->found.islands[island_])) {
+  if (!still_->found.islands[island_].rests) {
     const std::optional<double> mended = mending_move(*still_, *settings_, cube);
     if (!mended) return no_load;
     const MoveSearch::End beyond = search.first_change(*mended, *mended < 0.0 ? -1.0 : 1.0);

@@ -19,13 +19,7 @@ constexpr int most_looks = 80;
 MoveSearch::MoveSearch(const StillScene& still,
                        const MotionSettings& settings,
                        const CarriedGroup& group)
-    : still_(still), settings_(settings), group_(group) {
-  side_ = unbounded;
-  for (const int cube : group.cubes) {
-    const Body& body = still.system.body(cube);
-    if (body.kind == BodyKind::cube) side_ = std::min(side_, body.smaller_side());
-  }
-}
+    : still_(still), settings_(settings), group_(group), side_(smallest_side(still, group)) {}
 
 bool MoveSearch::changes_at(double s, double sense) const {
   if (!std::isfinite(s) || s == 0.0) return false;

@@ -52,7 +52,7 @@ class MoveSearch {
   const StillScene& still_;
   const MotionSettings& settings_;
   const CarriedGroup& group_;
-  double side_ = 0.0;
+  double side_;  ///< m, smallest
 };
 
 }  // namespace wuerfel

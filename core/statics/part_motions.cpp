@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/statics/margins.h"
 #include "core/statics/parts.h"
 #include "core/statics/sets.h"
 
@@ -69,7 +68,7 @@ void PartMotions::add_of_part(int part,
   for (const double sense : {1.0, -1.0}) {
     for (const int k : held)
       add({part, island_->contacts[k].point, {Vec2::Zero(), sense}}, rows, generators.program);
-    add({part, Vec2::Zero(), {sense * right_of(still_->down()), 0.0}}, rows, generators.program);
+    add({part, Vec2::Zero(), {sense * still_->right(), 0.0}}, rows, generators.program);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/statics/margins.h"
 #include "core/statics/sets.h"
 
 namespace wuerfel {
@@ -124,7 +123,7 @@ void PartJudge::fall(const Generators& glued, PartStand& part) const {
 
 /// Where all forces on the part are parallel to its weight: from the first to the last of them.
 std::optional<LoadRange> PartJudge::between_supports(const Generators& glued) const {
-  const double turn = det(right_of(still_->down()), still_->down());
+  const double turn = det(still_->right(), still_->down());
   LoadRange range{unbounded, -unbounded, 0.0};
   for (int row = 0; row < glued.program.rows(); ++row) {
     const std::span<const double> J = glued.program.entry(row);
@@ -164,16 +163,13 @@ PartStand PartJudge::judge(const std::vector<int>& cubes, Shift shift) const {
   const std::optional<LoadRange> between = weighs ? between_supports(glued) : std::nullopt;
   if (!between || !between->contains(0.0)) fall(glued, part);
   if (between) part.shift = *between;
-  if (between || shift == Shift::ignored || !weighs) return part;
+  if (between || !weighs) return part;
   if (shift == Shift::of_what_falls && part.stands()) return part;
   // A weight that acts one radius of gyration to the right turns with det(right, down) times itself.
   const double radius = std::sqrt(inertia / part.mass);
-  const double turn = det(right_of(still_->down()), still_->down());
+  const double turn = det(still_->right(), still_->down());
   const Load q{0.0, 0.0, part.mass * still_->system.gravity.norm() * radius * turn};
-  part.shift = LoadFactor(glued.program).range(weight_of(part), q);
-  if (is_empty(part.shift)) return part;
-  part.shift.low *= radius;
-  part.shift.high *= radius;
+  part.shift = LoadFactor(glued.program).range(weight_of(part), q).times(radius);
   return part;
 }
 

@@ -30,7 +30,7 @@ struct PartStand {
 };
 
 /// Of which parts it is asked how far they may be shifted.
-enum class Shift { ignored, of_what_falls, of_all };
+enum class Shift { of_what_falls, of_all };
 
 class PartJudge {
  public:

@@ -55,9 +55,6 @@ std::vector<Face> find_faces(const Island& island) {
 void add_resultant(const IslandForces& of, Face& face) {
   Interface& seen = face.seen;
   double moment = 0.0;
-  double largest = 0.0;
-  for (const double f : of.forces.force)
-    largest = std::max(largest, f);
   for (std::size_t i = 0; i < face.contacts.size(); ++i) {
     const int k = face.contacts[i];
     seen.force += of.forces.force[k];
@@ -65,7 +62,7 @@ void add_resultant(const IslandForces& of, Face& face) {
     // Seen from either body the tangential force runs along the normal turned left.
     if (!of.forces.tangential.empty()) seen.tangential += of.forces.tangential[k];
   }
-  if (seen.force <= pressing_share * largest) return;
+  if (seen.force <= of.forces.least_pressing()) return;
   const double x = moment / seen.force;
   seen.center = seen.middle + x * perp(seen.normal);
   seen.center_range = {x, x, 0.0};
@@ -97,7 +94,8 @@ void add_island(const StillScene& still,
                 const RangeRequest& request,
                 ForceRanges& result) {
   IslandRanges ranges(still, of);
-  const auto is_unique = [&](int k) { return request.skip_unique && of.forces.unique[k] != 0; };
+  // Forces that are the only ones possible are not asked for again.
+  const auto is_unique = [&](int k) { return of.forces.unique[k] != 0; };
   for (int k = 0; k < static_cast<int>(of.island.contacts.size()); ++k) {
     const Contact& c = of.island.contacts[k];
     const double f = of.forces.force[k];

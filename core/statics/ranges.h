@@ -41,7 +41,6 @@ struct ForceRanges {
 
 struct RangeRequest {
   std::vector<int> cubes{};  ///< ranges at these only; empty: all
-  bool skip_unique = true;   ///< forces that are the only ones possible are not asked for again
   bool degree = true;
 };
 

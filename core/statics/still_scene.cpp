@@ -17,7 +17,7 @@ int StillScene::island_of(int cube) const {
 std::vector<char> StillScene::concerned(int island) const {
   std::vector<char> result(system.cubes, 0);
   for (int m = 0; m < static_cast<int>(found.islands.size()); ++m) {
-    if (m != island && falls(found.islands[m])) continue;
+    if (m != island && !found.islands[m].rests) continue;
     for (const int cube : found.islands[m].island.cubes)
       result[cube] = 1;
   }

@@ -19,14 +19,14 @@ struct StillScene {
 
   /// Number of the island of a cube, -1 where it touches nothing.
   [[nodiscard]] int island_of(int cube) const;
-  /// Whether an island falls, or cannot be said to stand.
-  [[nodiscard]] bool falls(const IslandForces& of) const { return !of.rests; }
   /// Per cube whether what it does depends on an island: 0 for cubes that fall without it.
   [[nodiscard]] std::vector<char> concerned(int island) const;
   /// N; of one kilogram where there is no gravity.
   [[nodiscard]] double weight(int cube) const;
   /// Unit vector along gravity; down where there is none.
   [[nodiscard]] Vec2 down() const;
+  /// Gravity turned left by a right angle.
+  [[nodiscard]] Vec2 right() const { return perp(down()); }
   /// Whether a face with this normal, of any length, is level but for rounding.
   [[nodiscard]] bool is_level(const Vec2& normal) const;
 };

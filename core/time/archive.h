@@ -1,6 +1,7 @@
 /// Values as bytes and back: one function that names the members of a type serves both ways.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -76,32 +77,28 @@ class ArchiveReader {
   std::string_view rest_;
 };
 
+template <class Archive, typename T>
+requires std::invocable<Archive&, T&>
+void transfer(Archive& archive, T& value) { archive(value); }
+
+/// Several values, one after the other.
+template <class Archive, typename... T>
+void transfer_all(Archive& archive, T&... values) {
+  (transfer(archive, values), ...);
+}
+
 template <class Archive>
 void transfer(Archive& archive, Vec2& v) {
-  archive(v.x());
-  archive(v.y());
-}
-
-template <class Archive>
-void transfer(Archive& archive, std::string& text) {
-  archive(text);
-}
-
-template <class Archive, Plain T>
-void transfer(Archive& archive, T& value) {
-  archive(value);
+  transfer_all(archive, v.x(), v.y());
 }
 
 template <class Archive>
 void transfer(Archive& archive, BodyState& s) {
-  transfer(archive, s.position);
-  archive(s.angle);
-  transfer(archive, s.velocity);
-  archive(s.spin);
+  transfer_all(archive, s.position, s.angle, s.velocity, s.spin);
 }
 
 template <class Archive, typename T>
-void transfer_list(Archive& archive, std::vector<T>& list) {
+void transfer(Archive& archive, std::vector<T>& list) {
   list.resize(archive.count(list.size()));
   for (T& element : list)
     transfer(archive, element);

@@ -217,7 +217,7 @@ void IslandMotion::make_group(const State& state, const std::vector<int>& cubes,
   group.track = std::make_unique<Track>(whole ? *system_ : *group.system, settings_, policy_);
   State part;
   std::vector<char> rests;
-  Track::Stepping stepping;
+  Stepping stepping;
   for (const int i : cubes) {
     part.push_back(state[i]);
     rests.push_back(resting_[i]);

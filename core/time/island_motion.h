@@ -65,16 +65,16 @@ class IslandMotion final : public Motion {
   double energy_start_ = 0.0;  ///< J
   Meetings meetings_;
   std::vector<Group> groups_;
-  std::vector<int> group_of_;              ///< per cube
-  std::vector<char> resting_;              ///< per cube, at the start of the window
-  std::vector<Track::Stepping> stepping_;  ///< per cube, at the start of the window
-  double begin_ = 0.0;                     ///< s, of the window
-  double end_ = 0.0;                       ///< s, up to which all groups have come
-  double length_ = 0.0;                    ///< s, of the next window
-  MomentumScale momentum_;                 ///< the largest up to now
-  StateHash hash_;                         ///< of the states at the ends of windows
-  long work_ = 0;                          ///< steps times cubes since the last restart
-  double time_ = 0.0;                      ///< s, where the motion is looked at
+  std::vector<int> group_of_;       ///< per cube
+  std::vector<char> resting_;       ///< per cube, at the start of the window
+  std::vector<Stepping> stepping_;  ///< per cube, at the start of the window
+  double begin_ = 0.0;              ///< s, of the window
+  double end_ = 0.0;                ///< s, up to which all groups have come
+  double length_ = 0.0;             ///< s, of the next window
+  MomentumScale momentum_;          ///< the largest up to now
+  StateHash hash_;                  ///< of the states at the ends of windows
+  long work_ = 0;                   ///< steps times cubes since the last restart
+  double time_ = 0.0;               ///< s, where the motion is looked at
   double still_since_ =
       std::numeric_limits<double>::infinity();  ///< s, from when on nothing moves; infinite while
                                                 ///< something does

@@ -8,104 +8,62 @@ namespace wuerfel {
 
 template <class Archive>
 void transfer(Archive& archive, Event& e) {
-  archive(e.t);
-  archive(e.kind);
-  archive(e.on);
-  archive(e.from);
-  transfer(archive, e.point);
-  archive(e.impulse);
+  transfer_all(archive, e.t, e.kind, e.on, e.from, e.point, e.impulse);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Loss& loss) {
-  archive(loss.t);
-  archive(loss.energy);
-  archive(loss.friction);
-  archive(loss.since);
+  transfer_all(archive, loss.t, loss.energy, loss.friction, loss.since);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Push& push) {
-  transfer(archive, push.linear);
-  archive(push.angular);
+  transfer_all(archive, push.linear, push.angular);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Stepping& stepping) {
-  archive(stepping.until);
-  archive(stepping.patience);
+  transfer_all(archive, stepping.until, stepping.patience);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Audit& a) {
-  for (double* number : {&a.max_penetration, &a.max_overlap, &a.max_rod_error, &a.max_kkt_residual,
-                         &a.friction_residual, &a.impact_loss, &a.friction_loss, &a.momentum_linear,
-                         &a.momentum_angular, &a.momentum_settled})
-    archive(*number);
-  for (long* number : {&a.missed_solves, &a.unresolved, &a.searches_given_up, &a.wedged,
-                       &a.friction_inexact, &a.restitution_reduced, &a.rods_contradicting})
-    archive(*number);
+  transfer_all(archive, a.max_penetration, a.max_overlap, a.max_rod_error, a.max_kkt_residual,
+               a.friction_residual, a.impact_loss, a.friction_loss, a.momentum_linear,
+               a.momentum_angular, a.momentum_settled, a.missed_solves, a.unresolved,
+               a.searches_given_up, a.wedged, a.friction_inexact, a.restitution_reduced,
+               a.rods_contradicting);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Cost& c) {
-  for (long* number : {&c.steps, &c.qp_solves, &c.qp_iterations, &c.hand_overs, &c.skipped_free,
-                       &c.skipped_rest, &c.skipped_certificate})
-    archive(*number);
+  transfer_all(archive, c.steps, c.qp_solves, c.qp_iterations, c.hand_overs, c.skipped_free,
+               c.skipped_rest, c.skipped_certificate);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Breach& breach) {
-  archive(breach.promise);
-  archive(breach.t);
-  transfer_list(archive, breach.bodies);
+  transfer_all(archive, breach.promise, breach.t, breach.bodies);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Bookkeeping& book) {
-  transfer_list(archive, book.events);
-  transfer_list(archive, book.losses);
-  transfer(archive, book.audit);
-  transfer(archive, book.cost);
-  transfer_list(archive, book.breaches);
-  transfer(archive, book.settled);
-  transfer(archive, book.unexplained);
+  transfer_all(archive, book.events, book.losses, book.audit, book.cost, book.breaches,
+               book.settled, book.unexplained);
 }
 
 template <class Archive>
 void transfer(Archive& archive, RestartPoint& p) {
-  archive(p.t);
-  transfer_list(archive, p.state);
-  transfer(archive, p.book);
   std::uint64_t hash = p.hash.value();
-  archive(hash);
+  transfer_all(archive, p.t, p.state, p.book, hash, p.momentum.linear, p.momentum.angular, p.window,
+               p.resting, p.stepping, p.steps);
   p.hash.set(hash);
-  archive(p.momentum.linear);
-  archive(p.momentum.angular);
-  archive(p.window);
-  transfer_list(archive, p.resting);
-  transfer_list(archive, p.stepping);
-  archive(p.steps);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Contact& c) {
-  for (int* number : {&c.on, &c.from, &c.corner, &c.side})
-    archive(*number);
-  for (double* number : {&c.gap, &c.slip, &c.alpha, &c.length})
-    archive(*number);
-  for (Vec2* v : {&c.point, &c.normal, &c.arm_k, &c.arm_i, &c.arm_j})
-    transfer(archive, *v);
-}
-
-/// Contacts alone.
-struct Contacts {
-  std::vector<Contact> list;
-};
-
-template <class Archive>
-void transfer(Archive& archive, Contacts& contacts) {
-  transfer_list(archive, contacts.list);
+  transfer_all(archive, c.on, c.from, c.corner, c.side, c.gap, c.slip, c.alpha, c.length, c.point,
+               c.normal, c.arm_k, c.arm_i, c.arm_j);
 }
 
 namespace {
@@ -139,10 +97,10 @@ RestartPoint restart_point_of(std::string_view bytes, std::size_t cubes) {
   return point;
 }
 
-std::string to_bytes(const std::vector<Contact>& contacts) { return bytes_of(Contacts{contacts}); }
+std::string to_bytes(const std::vector<Contact>& contacts) { return bytes_of(contacts); }
 
 std::vector<Contact> contacts_of(std::string_view bytes, int bodies) {
-  auto contacts = value_of<Contacts>(bytes).list;
+  auto contacts = value_of<std::vector<Contact>>(bytes);
   const auto is_body = [bodies](int body) { return body >= 0 && body < bodies; };
   for (const Contact& c : contacts) {
     if (!is_body(c.on) || !is_body(c.from)) throw RestartError("it is of other bodies");

@@ -6,12 +6,12 @@
 
 namespace wuerfel {
 
-std::vector<Event> jam_events(const System& system,
-                              const State& before,
-                              const State& after,
-                              std::span<const int> rods,
-                              double t) {
-  std::vector<Event> events;
+void add_jam_events(const System& system,
+                    const State& before,
+                    const State& after,
+                    std::span<const int> rods,
+                    double t,
+                    std::vector<Event>& events) {
   for (const int number : rods) {
     const Rod& rod = system.rods[number];
     if (rod.kind == Rod::Kind::pin_y) continue;  // the other half of its pin_x
@@ -24,7 +24,6 @@ std::vector<Event> jam_events(const System& system,
     events.push_back({t, EventKind::jam, end_name(system, rod, rod.i), end_name(system, rod, rod.j),
                       held_place(rod.i, before).p, lost});
   }
-  return events;
 }
 
 void note_contradiction(const System& system,

@@ -8,12 +8,13 @@
 
 namespace wuerfel {
 
-/// One event for each rod of a jam: its impulse is what the body at one of its ends has lost of its momentum.
-std::vector<Event> jam_events(const System& system,
-                              const State& before,
-                              const State& after,
-                              std::span<const int> rods,
-                              double t);
+/// Adds one event for each rod of a jam: its impulse is what the body at one of its ends has lost of its momentum.
+void add_jam_events(const System& system,
+                    const State& before,
+                    const State& after,
+                    std::span<const int> rods,
+                    double t,
+                    std::vector<Event>& events);
 
 /// Books that rods contradicted each other while nothing was struck: forces go on to drive what they hold, and no
 /// motion keeps all lengths.

@@ -22,7 +22,6 @@ class ShownBook {
   [[nodiscard]] LostEnergy lost(const Bookkeeping& computed, double missing) const;
   /// Whether the time of the last advance is in the midst of a step that loses energy.
   [[nodiscard]] bool any_under_way(const Bookkeeping& computed) const;
-  [[nodiscard]] double time() const { return time_; }
 
   /// Events up to that time; what else a book holds is for the motion to fill in.
   Bookkeeping book;

@@ -94,10 +94,6 @@ bool is_carried(const System& system, const Contact& contact) {
   return system.is_cube(contact.on) && (carries || !system.is_cube(contact.from));
 }
 
-double least_pressing(const ContactForces& forces) {
-  return forces.force.empty() ? 0.0 : pressing_share * std::ranges::max(forces.force);
-}
-
 // Two boxes, or a box and a plane, are convex: they touch by one face.
 void add_joints(const System& system,
                 const IslandForces& of,
@@ -113,7 +109,7 @@ void add_joints(const System& system,
     }
     include(of, k, growing[place[first[k]]]);
   }
-  const double least = least_pressing(of.forces);
+  const double least = of.forces.least_pressing();
   for (const Growing& joint : growing) {
     if (joint.pressure <= least || rests_on_point(system, joint.joint)) continue;
     const std::optional<SnapshotRange> range = range_of(ranges, joint.joint);

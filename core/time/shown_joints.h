@@ -13,10 +13,6 @@ namespace wuerfel {
 /// that carries, on the upper body of the two, and on a cube where one is fixed.
 bool is_carried(const System& system, const Contact& contact);
 
-/// N; contacts with no more than this do not press: as with IslandSolution::least_pressing, what a
-/// solver may leave.
-double least_pressing(const ContactForces& forces);
-
 /// Number of a body in Snapshot::boxes, planes after them; -1 of a point.
 int box_of(const System& system, int body);
 

@@ -10,11 +10,11 @@ namespace wuerfel {
 
 namespace {
 
-void require(const RodConsistency& found, std::string_view when) {
+void require(const System& system, const RodConsistency& found, std::string_view when) {
   if (found.contradicting.empty()) return;
   throw SceneError(fmt::format(
       "rods contradict each other{}: no acceleration keeps the lengths of \"{}\" at once", when,
-      fmt::join(found.contradicting, "\", \"")));
+      fmt::join(rod_names(system, found.contradicting), "\", \"")));
 }
 
 }  // namespace
@@ -23,9 +23,10 @@ void require_consistent_rods(const System& system,
                              const State& state,
                              const std::function<std::vector<Twist>()>& accelerations) {
   const RodConsistency now = rod_consistency(system, state);
-  require(now, "");
-  if (now.redundant)
-    require(rod_consistency_of_start(system, state, accelerations()), " as soon as they move");
+  require(system, now, "");
+  if (!now.redundant) return;
+  require(system, rod_consistency_of_start(system, state, accelerations()),
+          " as soon as they move");
 }
 
 State start_state(const Scene& scene) {

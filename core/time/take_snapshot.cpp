@@ -87,7 +87,7 @@ void add_forces(const System& system,
                 const IslandForces& of,
                 const ForceRanges& ranges,
                 Snapshot& snapshot) {
-  const double least = least_pressing(of.forces);
+  const double least = of.forces.least_pressing();
   for (std::size_t k = 0; k < of.island.contacts.size(); ++k) {
     const Contact& c = of.island.contacts[k];
     const double normal = of.forces.force[k];

@@ -35,7 +35,7 @@ Track::Track(const System& system, const MotionSettings& settings, const MotionP
       events_(system, settings),
       crowding_(system.cubes, policy_.only_events) {}
 
-void Track::begin_steps(const State& state, double t) {
+void Track::begin_steps(const State& state, double t, double until) {
   if (!steps_) steps_ = std::make_unique<ControlledStepping>(*system_, settings_, policy_);
   const bool chosen = policy_.step > 0.0;
   steps_->begin(state, chosen ? policy_.step : first_step * crowding_.frame(),
@@ -43,6 +43,7 @@ void Track::begin_steps(const State& state, double t) {
   stepping_ = true;
   moving_.assign(state.size(), 0);
   clock_ = t;
+  until_ = until;
 }
 
 void Track::start(const State& state,
@@ -56,26 +57,22 @@ void Track::start(const State& state,
   stepping_ = false;
   part_.reset();
   if (only_steps_) return go_on_from(state, t, touching, std::move(resting));
-  if (stepping.until > t && !policy_.only_steps) {
-    // What is stepped anyway meets its impacts in steps.
-    begin_steps(state, t);
-    until_ = std::max(stepping.until, t + crowding_.frame());
-    return;
-  }
+  // What is stepped anyway meets its impacts in steps.
+  if (stepping.until > t && !policy_.only_steps)
+    return begin_steps(state, t, std::max(stepping.until, t + crowding_.frame()));
   // Impacts that are due happen here, and what rests is found, whoever moves the group afterwards.
-  ContactLimits limits;
-  limits.touching = std::max(touching, limits.touching);
+  const ContactLimits limits{std::max(touching, event_touching)};
   const bool fits = events_.start(state, t, limits, std::move(resting), book_);
   last_events_ = 0;
   if (fits && (events_.at_rest() || !(policy_.only_steps || events_.wedged()))) {
     (void)move_part(touching);
     return;
   }
-  begin_steps(fits ? events_.state() : state, t);
   const bool settles = system_->rubs || system_->bounces;
-  until_ = !policy_.only_steps ? t + crowding_.frame()
-           : settles           ? t + longest_step * crowding_.frame()
-                               : std::numeric_limits<double>::infinity();
+  begin_steps(fits ? events_.state() : state, t,
+              !policy_.only_steps ? t + crowding_.frame()
+              : settles           ? t + longest_step * crowding_.frame()
+                                  : std::numeric_limits<double>::infinity());
 }
 
 /// Whether everything rests where it is, once velocities that do not count are taken away: books the rest.
@@ -84,8 +81,7 @@ bool Track::rest_from(const State& state, double t, double touching, std::vector
   State still = state;
   for (BodyState& s : still)
     stop(s);
-  ContactLimits limits;
-  limits.touching = std::max(touching, limits.touching);
+  const ContactLimits limits{std::max(touching, event_touching)};
   if (!events_.would_rest(still, limits)) return false;
   Bookkeeping found;
   if (!(events_.start(still, t, limits, std::move(resting), found) && events_.at_rest()))
@@ -96,11 +92,9 @@ bool Track::rest_from(const State& state, double t, double touching, std::vector
   return true;
 }
 
-Track::Stepping Track::stepping() const {
-  return {stepping_ ? until_ : -1.0, crowding_.patience()};
-}
+Stepping Track::stepping() const { return {stepping_ ? until_ : -1.0, crowding_.patience()}; }
 
-Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
+Stepping later(const Stepping& a, const Stepping& b) {
   return {std::max(a.until, b.until), std::max(a.patience, b.patience)};
 }
 
@@ -108,8 +102,7 @@ Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b) {
 void Track::go_on_from(const State& state, double t, double touching, std::vector<char> resting) {
   if (rest_from(state, t, touching, std::move(resting)) || part_from(state, t, touching, held_for))
     return;
-  begin_steps(state, t);
-  until_ = t + longest_step * crowding_.frame();
+  begin_steps(state, t, t + longest_step * crowding_.frame());
 }
 
 /// Whether most of the cubes stand, and only the others go on, in steps of at most so many frames.
@@ -154,15 +147,20 @@ void Track::advance_part(double limit) {
 
 /// The whole group moves again.
 void Track::go_on_after(const PartialMotion& part) {
-  if (only_steps_) {
-    begin_steps(part.state(), part.clock());
-    until_ = crowding_.frames_after(clock_, longest_step);
-    return;
-  }
-  const bool fits =
-      !part.is_stepped() && events_.start(part.state(), part.clock(), {}, part.resting(), book_);
+  const double t = part.clock();
+  if (only_steps_) return begin_steps(part.state(), t, crowding_.frames_after(t, longest_step));
+  if (part.is_stepped()) return hand_over(part.state(), t);
+  follow_from(part.state(), t, {}, part.resting());
+}
+
+/// From event to event from a state on; where that leaves overlap, or cubes are wedged, in steps.
+void Track::follow_from(const State& state,
+                        double t,
+                        const ContactLimits& limits,
+                        std::vector<char> resting) {
   last_events_ = 0;
-  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : part.state(), part.clock());
+  const bool fits = events_.start(state, t, limits, std::move(resting), book_);
+  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : state, t);
 }
 
 /// Nobody moves any more, and all are known to be held.
@@ -174,8 +172,7 @@ void Track::rest_there(const State& state, double t) {
     add(found, book_);
     return;
   }
-  begin_steps(state, t);
-  until_ = crowding_.frames_after(clock_, longest_step);
+  begin_steps(state, t, crowding_.frames_after(t, longest_step));
 }
 
 double Track::clock() const {
@@ -274,8 +271,7 @@ bool Track::take_blows() {
 }
 
 void Track::hand_over(const State& state, double t) {
-  begin_steps(state, t);
-  until_ = crowding_.step_from(t);
+  begin_steps(state, t, crowding_.step_from(t));
   ++book_.cost.hand_overs;
 }
 
@@ -331,14 +327,11 @@ bool Track::hand_to_part() {
 
 void Track::hand_back() {
   crowding_.step_to(clock_);
-  last_events_ = 0;
   stepping_ = false;
   const State state = steps_->with_closed_gaps();
   book_closing(state);
   // Gaps of contacts under load have been closed to rounding.
-  const ContactLimits limits{touching_tolerance, slowest_motion};
-  const bool fits = events_.start(state, clock_, limits, {}, book_);
-  if (!fits || events_.wedged()) hand_over(fits ? events_.state() : state, clock_);
+  follow_from(state, clock_, {touching_tolerance, slowest_motion}, {});
 }
 
 /// Number of the piece in which a time lies; -1 at the clock, and where it is not known.
@@ -395,8 +388,7 @@ void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
     if (piece->kind == MotionPiece::Kind::part) piece->part->sweep(t, bounds);
     if (piece->kind != MotionPiece::Kind::smooth) continue;
     // Between its ends a smooth piece leaves the chord: it is looked at along the way.
-    const bool known = !piece->motion.coefficients.empty();
-    const DenseStep motion = known ? piece->motion : motion_of(*system_, *piece);
+    const DenseStep motion = motion_of(*system_, *piece);
     state = piece->start;
     for (int k = 1; k < looks_per_piece; ++k) {
       look_at(motion, (end - piece->begin) / piece->length * k / looks_per_piece, state);

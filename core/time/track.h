@@ -29,8 +29,6 @@ class Track {
  public:
   Track(const System& system, const MotionSettings& settings, const MotionPolicy& policy);
 
-  using Stepping = wuerfel::Stepping;
-
   /// The motion begins at time t. `touching` is the share of the smaller side up to which bodies
   /// touch (0: to rounding); `resting` are the cubes known to be at rest; `stepping` goes on where
   /// it is not over.
@@ -76,9 +74,13 @@ class Track {
   bool move_part(double touching);
   void advance_part(double limit);
   void go_on_after(const PartialMotion& part);
+  void follow_from(const State& state,
+                   double t,
+                   const ContactLimits& limits,
+                   std::vector<char> resting);
   void go_on_from(const State& state, double t, double touching, std::vector<char> resting);
   void rest_there(const State& state, double t);
-  void begin_steps(const State& state, double t);
+  void begin_steps(const State& state, double t, double until);
   [[nodiscard]] bool leaves_overlap(const Audit& before);
   void consider_events();
   void hand_over(const State& state, double t);
@@ -109,6 +111,6 @@ class Track {
 };
 
 /// The one that ends later, with the longer patience.
-Track::Stepping later(const Track::Stepping& a, const Track::Stepping& b);
+Stepping later(const Stepping& a, const Stepping& b);
 
 }  // namespace wuerfel

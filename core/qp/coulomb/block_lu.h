@@ -21,7 +21,6 @@ class BlockLu {
             std::vector<int>& order);
   /// Place of block (row, column), row >= column; -1 if it is not in the pattern.
   [[nodiscard]] int place(int row, int column) const { return pattern_.place(row, column); }
-  [[nodiscard]] int blocks() const { return pattern_.blocks; }
 
   /// K := I; K is then filled through `lower` and `upper`.
   void set_identity();

@@ -10,6 +10,7 @@
 namespace wuerfel {
 namespace {
 
+constexpr int most_interior_steps = 250;
 constexpr double short_step = 0.1;   ///< below it the corrector is given up
 constexpr double stuck_step = 0.02;  ///< four of these in a row end it
 constexpr int most_stuck_steps = 4;
@@ -17,6 +18,7 @@ constexpr int most_stuck_steps = 4;
 constexpr double nearly_there = 1e-5;
 constexpr int most_worse_steps = 3;
 /// Damping of steps across folds, as compliance of K alone: it grows where they are short or det K < 0, and shrinks again.
+constexpr double least_damping = 1e-8;
 constexpr double first_damping = 1e-4;
 constexpr double most_damping = 1e-3;       ///< of short steps
 constexpr double most_damping_back = 1e-1;  ///< where det K < 0
@@ -237,8 +239,7 @@ void choose_direction(const ContactForm& form,
 /// Of steps across folds.
 class Damping {
  public:
-  explicit Damping(const ConeInteriorEffort& effort)
-      : crosses_(effort.folds == Folds::cross), least_(effort.delta), delta_(effort.delta) {}
+  explicit Damping(const ConeInteriorEffort& effort) : crosses_(effort.folds == Folds::cross) {}
 
   [[nodiscard]] double delta() const { return delta_; }
   /// Grows where det K has this sign; false where it is to stay as it is.
@@ -250,14 +251,14 @@ class Damping {
   /// Takes note of the length of a step.
   void follow(double step) {
     if (crosses_ && step < damped_step) grow_to(most_damping);
-    if (crosses_ && step > undamped_step) delta_ = std::max(delta_ / damping_change, least_);
+    if (crosses_ && step > undamped_step) delta_ = std::max(delta_ / damping_change, least_damping);
   }
 
  private:
   void grow_to(double most) { delta_ = std::clamp(damping_change * delta_, first_damping, most); }
 
   bool crosses_;
-  double least_, delta_;
+  double delta_ = least_damping;
 };
 
 }  // namespace
@@ -272,7 +273,7 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
   Damping damping(effort);
   int stuck = 0;
   int worse = 0;
-  while (outcome.factorisations < effort.most_factorisations && stuck < most_stuck_steps
+  while (outcome.factorisations < most_interior_steps && stuck < most_stuck_steps
          && worse < most_worse_steps) {
     find_weights(form, at_.pairs, damping.delta(), system_.weight);
     ++outcome.factorisations;

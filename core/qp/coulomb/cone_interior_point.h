@@ -30,8 +30,6 @@ enum class Folds { go_back, cross };
 
 struct ConeInteriorEffort {
   double goal = 1e-12;  ///< on the smaller of every pair, relative
-  double delta = 1e-8;
-  int most_factorisations = 250;
   double spread = 0.0;  ///< weights of the products are e^(+-spread)
   std::uint64_t seed = 0;
   Folds folds = Folds::go_back;

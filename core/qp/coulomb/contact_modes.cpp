@@ -49,6 +49,13 @@ double largest_force(const ContactForm& form, const std::vector<Pair>& l) {
   return force;
 }
 
+double largest_normal_force(const ContactForm& form, const std::vector<Pair>& l) {
+  double force = 0.0;
+  for (int i = 0; i < form.count(); ++i)
+    force = std::max(force, l[i].n * form.units()[i].norm.n);
+  return force;
+}
+
 double missed_by(const ContactForm& form,
                  const std::vector<ContactMode>& modes,
                  const ContactPoint& point) {

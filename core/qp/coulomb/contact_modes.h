@@ -49,6 +49,8 @@ struct ContactPoint {
 
 /// The largest of these forces, normal or tangential.
 double largest_force(const ContactForm& form, const std::vector<Pair>& l);
+/// The largest normal one; 0 where none presses.
+double largest_normal_force(const ContactForm& form, const std::vector<Pair>& l);
 /// What rows in force miss, relative to the largest velocity.
 double missed_by(const ContactForm& form,
                  const std::vector<ContactMode>& modes,

@@ -21,8 +21,6 @@ class ConvexRelaxation {
   /// Of the rows of the friction program.
   [[nodiscard]] const std::vector<double>& multiplier() const { return multiplier_; }
   [[nodiscard]] int iterations() const { return result_.iterations; }
-  [[nodiscard]] const QuadraticProgram& program() const { return convex_; }
-  [[nodiscard]] const QpResult& result() const { return result_; }
 
  private:
   void build(const FrictionProgram& friction);

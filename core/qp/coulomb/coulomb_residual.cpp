@@ -14,13 +14,6 @@ double relative(double v, double scale) {
   return scale > 0.0 ? v / scale : std::copysign(unbounded, v);
 }
 
-bool all_numbers(const std::vector<double>& values) {
-  double nothing = 0.0;
-  for (const double v : values)
-    nothing += v * 0.0;
-  return nothing == 0.0;
-}
-
 }  // namespace
 
 /// |min(lambda, u)| for lambda >= 0, u >= 0.
@@ -40,15 +33,6 @@ void CoulombJudge::find_units(const QuadraticProgram& p) {
   std::ranges::transform(unit_, square_.begin(), [](double unit) { return unit * unit; });
 }
 
-double CoulombJudge::norm_of(const QuadraticProgram& p, int row) const {
-  double square = 0.0;
-  p.for_each_entry(row, [&](const double* J, int first, int size) {
-    for (int c = 0; c < size; ++c)
-      square += J[c] * J[c] * square_[first + c];
-  });
-  return std::sqrt(square);
-}
-
 const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
   find_units(p);
   scales_.velocity = scales_.weight = 0.0;
@@ -58,7 +42,7 @@ const CoulombScales& CoulombJudge::measure_scales(const QuadraticProgram& p) {
   }
   scales_.row_norm.resize(p.bound.size());
   for (int i = 0; i < p.rows(); ++i)
-    scales_.row_norm[i] = norm_of(p, i);
+    scales_.row_norm[i] = std::sqrt(square_of(p, i, square_));
   replace_zero_norms(scales_.row_norm);
   for (int i = 0; i < p.rows(); ++i)
     scales_.velocity = std::max(scales_.velocity, std::abs(p.bound[i]) / scales_.row_norm[i]);
@@ -111,7 +95,7 @@ CoulombResidual CoulombJudge::measure(const FrictionProgram& friction,
                                       const std::vector<double>& multiplier) {
   const QuadraticProgram& p = friction.program;
   CoulombResidual residual;
-  if (!all_numbers(x) || !all_numbers(multiplier)) {
+  if (!all_finite(x) || !all_finite(multiplier)) {
     residual.stationarity = unbounded;
     return residual;
   }

@@ -54,7 +54,6 @@ class CoulombJudge {
                    const std::vector<double>& multiplier,
                    CoulombResidual& residual) const;
   void find_units(const QuadraticProgram& program);
-  [[nodiscard]] double norm_of(const QuadraticProgram& program, int row) const;
 
   CoulombScales scales_;
   std::vector<double> mass_;    ///< that the units are of

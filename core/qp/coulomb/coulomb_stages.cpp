@@ -106,9 +106,7 @@ void CoulombStages::take(const std::vector<double>& multiplier) {
 
 /// The modes that the forces of the point show.
 void CoulombStages::find_modes() {
-  double force = 0.0;
-  for (int i = 0; i < form_.count(); ++i)
-    force = std::max(force, point.l[i].n * form_.units()[i].norm.n);
+  const double force = largest_normal_force(form_, point.l);
   for (int i = 0; i < form_.count(); ++i) {
     const ContactUnit& unit = form_.units()[i];
     const Pair& l = point.l[i];

@@ -7,6 +7,7 @@ namespace wuerfel {
 namespace {
 
 constexpr double noise_share = 1e-13;
+constexpr double row_goal = 1e-12;   ///< what rows in force may miss, of the largest velocity
 constexpr int most_passes = 100;     ///< back-solves per factorisation
 constexpr double slow_share = 0.5;   ///< of what rows miss that a proximal step leaves
 constexpr double delta_fall = 0.1;   ///< by which compliance shrinks then
@@ -152,7 +153,7 @@ ModeNewton::ProximalSteps ModeNewton::take_proximal_steps(const ContactForm& for
     search_ = {};
     const double missed = missed_by(form, modes, point);
     stalled = missed < stalled_share * former ? 0 : stalled + 1;
-    if (missed <= effort.goal || (missed <= near_goal && stalled == most_stalled)) {
+    if (missed <= row_goal || (missed <= near_goal && stalled == most_stalled)) {
       finish(form, missed, point);
       return {End::settled};
     }
@@ -192,7 +193,7 @@ ModeNewtonOutcome ModeNewton::run(ContactForm& form,
   centre_ = point.l;
   while (outcome.factorisations < effort.most_factorisations) {
     ++outcome.factorisations;
-    if (!system_.factorise(form, modes, delta_, effort.pivoting)) return outcome;
+    if (!system_.factorise(form, modes, delta_, Pivoting::none)) return outcome;
     const auto [end, revised] = take_proximal_steps(form, modes, point, effort);
     outcome.settled = end == End::settled;
     if (outcome.settled || end == End::stuck) return outcome;

@@ -19,8 +19,6 @@ namespace wuerfel {
 struct ModeNewtonEffort {
   double delta = 1e-8;        ///< at first
   double least_delta = 1e-8;  ///< at last
-  Pivoting pivoting = Pivoting::none;
-  double goal = 1e-12;  ///< what rows in force may miss, relative to the largest velocity
   int most_factorisations = 8;
   int most_no_better =
       5;  ///< of them in a row that changed no fewer modes than the best one before

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/qp/block/quad_vector.h"
 #include "core/qp/coulomb/dice.h"
 
 namespace wuerfel {
@@ -41,9 +42,7 @@ ModePathOutcome ModePath::run(ContactForm& form,
   delta_ = effort.delta;
   centre_ = centre;
   t_ = 1.0;
-  double force = 0.0;
-  for (int i = 0; i < form.count(); ++i)
-    force = std::max(force, point.l[i].n * form.units()[i].norm.n);
+  const double force = largest_normal_force(form, point.l);
   for (int i = 0; i < form.count(); ++i) {
     const ContactUnit& unit = form.units()[i];
     Pair& l = point.l[i];
@@ -126,10 +125,7 @@ void ModePath::correct(const ContactForm& form,
   }
   unbalance_.resize(point.y.size());
   form.apply_transposed(point.l.data(), unbalance_.data());
-  for (std::size_t b = 0; b < unbalance_.size(); ++b) {
-    for (int c = 0; c < 3; ++c)
-      unbalance_[b].v[c] -= point.y[b].v[c];
-  }
+  add(-1.0, point.y, unbalance_);
   system_.solve(form, rhs_, unbalance_);
   system_.move(1.0, point);
 }
@@ -233,9 +229,8 @@ ModePathOutcome ModePath::follow(ContactForm& form,
       arrive(form, modes, point);
       return outcome;
     }
-    outcome.ray = crossing.unit < 0;
-    if (outcome.ray || outcome.crossings == effort.most_crossings || t_ > effort.farthest)
-      return outcome;
+    const bool ray = crossing.unit < 0;  // the path goes on for ever
+    if (ray || outcome.crossings == effort.most_crossings || t_ > effort.farthest) return outcome;
     ++outcome.crossings;
     system_.move(direction * crossing.step, point);
     t_ -= direction * crossing.step;

@@ -30,7 +30,6 @@ struct ModePathEffort {
 
 struct ModePathOutcome {
   bool arrived = false;  ///< at t = 0
-  bool ray = false;      ///< the path goes on for ever
   int crossings = 0;
 };
 

@@ -19,11 +19,7 @@ std::vector<Contact> new_overlaps(const State& state,
                                   const std::vector<Contact>& known,
                                   double touching,
                                   Workspace& work) {
-  std::vector<ContactId> ids;
-  ids.reserve(known.size());
-  for (const Contact& c : known)
-    ids.push_back(c.id());
-  std::ranges::sort(ids);
+  const std::vector<ContactId> ids = sorted_ids(known);
   std::vector<Contact> found;
   work.finder.find(*work.system, state, found, touching);
   std::erase_if(found, [&](const Contact& c) {
@@ -35,10 +31,7 @@ std::vector<Contact> new_overlaps(const State& state,
 }  // namespace
 
 double bearable_overlap(const State& state, const Scales& scales) {
-  double rounding = 0.0;
-  for (const BodyState& s : state)
-    rounding = std::max(rounding, gap_rounding(s.position, s.position));
-  return std::max(overlap_share, rounding_times * rounding / scales.length);
+  return std::max(overlap_share, rounding_times * gap_rounding(state) / scales.length);
 }
 
 double farthest_way(const System& system, const State& from, const State& to) {
@@ -48,10 +41,6 @@ double farthest_way(const System& system, const State& from, const State& to) {
     way = std::max(way, fastest_corner(system.body(i), moved));
   }
   return way;
-}
-
-bool all_rest(const Island& island, const std::vector<char>& resting) {
-  return std::ranges::all_of(island.cubes, [&](int cube) { return resting[cube] != 0; });
 }
 
 OutOfOverlap out_of_overlap(const State& state,

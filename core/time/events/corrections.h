@@ -40,7 +40,4 @@ double bearable_overlap(const State& state, const Scales& scales);
 /// How far a corner has come at most from one state to another, m.
 double farthest_way(const System& system, const State& from, const State& to);
 
-/// Whether all cubes of an island rest.
-bool all_rest(const Island& island, const std::vector<char>& resting);
-
 }  // namespace wuerfel

@@ -51,12 +51,6 @@ bool touch_each_other(const System& system,
   });
 }
 
-void note_rods(const System& system, const State& state, Bookkeeping& book) {
-  if (system.rods.empty()) return;
-  double& worst = book.audit.max_rod_error;
-  worst = std::max(worst, largest_rod_error(system, state));
-}
-
 }  // namespace
 
 EventMotion::EventMotion(const System& system, const MotionSettings& settings)
@@ -157,7 +151,8 @@ void EventMotion::note_step(const SmoothStep& step, Bookkeeping& book) {
     ++book.audit.wedged;
   }
   note_momenta(step, book);
-  note_rods(*system_, step.end, book);
+  double& worst = book.audit.max_rod_error;
+  worst = std::max(worst, largest_rod_error(*system_, step.end));
   if (phase_.equations().slips()) note_friction(*system_, state(), clock_, step, book);
 }
 
@@ -295,9 +290,7 @@ FormerPhase EventMotion::ended_phase() const {
 State EventMotion::look(const MotionPiece& piece, double t) {
   State state = piece.start;
   if (t <= piece.begin) return state;
-  const bool known = !piece.motion.coefficients.empty();
-  look_at(known ? piece.motion : motion_of(*system_, piece), (t - piece.begin) / piece.length,
-          state);
+  look_at(motion_of(*system_, piece), (t - piece.begin) / piece.length, state);
   if (!piece.closed.empty() || !system_->rods.empty()) {
     looker_.close(piece.closed, piece.resting, piece.touches);
     project_places(looker_, state);

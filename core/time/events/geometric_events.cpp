@@ -15,17 +15,13 @@ using Kind = EventFunction::Kind;
 GeometricEvents::GeometricEvents(const System& system) : system_(&system), view_(system) {}
 
 double GeometricEvents::zero(const EventFunction& f) const {
-  const double scale =
-      std::min(system_->body(f.on).smaller_side(), system_->body(f.from).smaller_side());
-  return std::max(event_touching * scale, rounding_);
+  return std::max(event_touching * contact_scale(*system_, f.on, f.from), rounding_);
 }
 
 void GeometricEvents::begin(const State& state,
                             const ContactSet& closed,
                             const std::vector<char>& resting) {
-  rounding_ = 0.0;
-  for (const BodyState& s : state)
-    rounding_ = std::max(rounding_, gap_rounding(s.position, s.position));
+  rounding_ = gap_rounding(state);
   view_.begin(resting, rounding_);
   functions_.clear();
   watch_closed(closed);

@@ -14,28 +14,14 @@
 namespace wuerfel {
 namespace {
 
-/// Finds contacts and islands of a state.
-void find_touching(const State& state,
-                   double touching,
-                   Workspace& work,
-                   std::vector<Contact>& contacts,
-                   std::vector<Island>& islands) {
-  work.finder.find(*work.system, state, contacts, touching);
-  find_islands(*work.system, contacts, work.finder.touches(), islands);
-}
-
 /// Removes overlap. What touched before it was removed still takes part, by whatever gap that has
 /// opened.
-void separate(double touching,
-              std::vector<Contact>& contacts,
-              std::vector<Island>& islands,
-              Instant& now,
-              Workspace& work) {
+void separate(double touching, std::vector<Island>& islands, Instant& now, Workspace& work) {
   OutOfOverlap apart = out_of_overlap(now.state, islands, now.modes.resting, touching, work);
   if (!apart.moved) return;
   now.state = std::move(apart.state);
   if (apart.pushed) {
-    find_touching(now.state, touching, work, contacts, islands);
+    islands = islands_at(now.state, touching, work);
   } else {
     for (Island& island : islands)
       follow(*work.system, now.state, island.contacts);
@@ -91,8 +77,7 @@ bool jam_rods(const Island& island, double t, bool hits, Instant& now, Workspace
   if (!hits) now.contradicting = jam.rods;
   const State before = now.state;
   set_velocities(island, jam.hit.after.twists, now.state);
-  for (Event& e : jam_events(system, before, now.state, jam.rods, t))
-    now.events.push_back(std::move(e));
+  add_jam_events(system, before, now.state, jam.rods, t, now.events);
   add_impacts(system, island, jam.hit, t, EventKind::jam, now);
   // Rods in one line that take a blow across them pull at fixed places with impulses that no first order tells.
   if (std::ranges::any_of(island.rods, [&](int rod) { return is_held(system.rods[rod]); })) {
@@ -118,9 +103,7 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
 
 /// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
 void note_settled(const System& system, const Island& island, const State& before, Instant& now) {
-  const auto held = [&](int rod) { return is_held(system.rods[rod]); };
-  if (touches_fixed(system, island.contacts) || std::ranges::any_of(island.rods, held))
-    now.settled += unexplained(system, before, now.state, 0.0, {});
+  if (is_fixed(system, island)) now.settled += unexplained(system, before, now.state, 0.0, {});
 }
 
 /// Makes an island rest. That it does is an event where none of its cubes did before.
@@ -225,11 +208,9 @@ Instant happen(const State& state,
   now.state = state;
   now.modes.resting = before.modes.resting;
   now.modes.resting.resize(state.size(), 0);
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  find_touching(state, limits.touching, work, contacts, islands);
+  std::vector<Island> islands = islands_at(state, limits.touching, work);
   now.deepest = work.finder.deepest();
-  separate(limits.touching, contacts, islands, now, work);
+  separate(limits.touching, islands, now, work);
   std::vector<Box> boxes(work.finder.boxes().begin(), work.finder.boxes().end());
   std::vector<char> touched(state.size(), 0);
   for (const Island& island : islands) {
@@ -280,8 +261,7 @@ void add_pushes_to_standing(const System& system,
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const Contact& c = island.contacts[k];
     if (solution.forces[k] == 0.0) continue;
-    const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
-    const Vec2 p = solution.forces[k] * c.normal + side * perp(c.normal);
+    const Vec2 p = impulse_at(c, solution, k);
     add(c.on, c.point, p);
     add(c.from, c.point, -p);
   }

@@ -253,6 +253,7 @@ void SmoothPhase::loads_at(const State& state, std::vector<double>& loads) {
 }
 
 DenseStep motion_of(const System& system, const MotionPiece& piece) {
+  if (!piece.motion.coefficients.empty()) return piece.motion;
   EquationsOfMotion equations(system);
   equations.close({piece.closed, piece.touches}, piece.resting);
   Dop853 method;

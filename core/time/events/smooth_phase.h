@@ -118,7 +118,7 @@ class SmoothPhase {
   double fall_ = 0.0;  ///< s, of the next free fall
 };
 
-/// The polynomial of a smooth piece that has none: its step again.
+/// The polynomial of a smooth piece; of one that has none by its step again.
 DenseStep motion_of(const System& system, const MotionPiece& piece);
 
 }  // namespace wuerfel

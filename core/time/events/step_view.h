@@ -44,7 +44,6 @@ class StepView {
 
  private:
   [[nodiscard]] MovingBox body_at(int body, double share) const;
-  [[nodiscard]] const MovingBox& end_of(int body, double share) const;
   [[nodiscard]] DerivativeBounds bounds(const EventFunction& f,
                                         const Look& a,
                                         const Look& b,

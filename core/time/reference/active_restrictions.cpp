@@ -12,23 +12,12 @@
 namespace wuerfel {
 namespace {
 
-void group_cubes(const std::vector<Contact>& contacts,
-                 const Workspace& work,
-                 std::vector<Island>& islands) {
-  if (!work.skips.islands) {
-    one_island(*work.system, contacts, islands);
-    return;
-  }
-  find_islands(*work.system, contacts, islands);
-  if (!work.skips.free_bodies) add_free_cubes(*work.system, islands);
-}
-
 /// Nothing has changed about an island since its rest was certified: the forces are the same, too.
 void keep_rest(GridPoint& point, const GridPoint& before) {
   std::size_t k = 0;
   for (std::size_t m = 0; m < point.islands.size(); ++m) {
     const Island& island = point.islands[m];
-    if (!point.rests(island)) continue;
+    if (!all_rest(island, point.resting)) continue;
     while (k < before.islands.size() && before.islands[k].cubes.front() < island.cubes.front())
       ++k;
     if (k == before.islands.size()) return;
@@ -74,8 +63,7 @@ void jam_island(GridPoint& point,
   point.push += unexplained(system, before, point.state, 0.0, {});
   book.audit.impact_loss += jam.hit.loss;
   if (!struck || jam.rods == jammed) note_contradiction(system, jam.rods, point.t, book);
-  for (Event& e : jam_events(system, before, point.state, jam.rods, point.t))
-    book.events.push_back(std::move(e));
+  add_jam_events(system, before, point.state, jam.rods, point.t, book.events);
   point.jammed.insert(point.jammed.end(), jam.rods.begin(), jam.rods.end());
 }
 
@@ -98,7 +86,7 @@ void find_restrictions(GridPoint& point, Workspace& work, Bookkeeping& book) {
   std::vector<Contact> contacts;
   work.finder.find(*work.system, point.state, contacts);
   note_overlap(work.finder.deepest().depth, work.finder.deepest().scale, book.audit);
-  group_cubes(contacts, work, point.islands);
+  point.islands = group_cubes(*work.system, contacts, work.skips);
   point.solutions.resize(point.islands.size());
   keep_rest(point, before);
   std::vector<ContactId> lasting;
@@ -108,7 +96,7 @@ void find_restrictions(GridPoint& point, Workspace& work, Bookkeeping& book) {
   }
   std::ranges::sort(lasting);
   for (const Island& island : point.islands) {
-    if (point.rests(island)) continue;
+    if (all_rest(island, point.resting)) continue;
     // Who rested is awake where somebody came to it.
     for (const int cube : island.cubes)
       point.resting[cube] = 0;

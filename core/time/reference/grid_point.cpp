@@ -4,10 +4,6 @@
 
 namespace wuerfel {
 
-bool GridPoint::rests(const Island& island) const {
-  return std::ranges::all_of(island.cubes, [&](int cube) { return resting[cube] != 0; });
-}
-
 bool GridPoint::at_rest() const {
   return std::ranges::all_of(resting, [](char r) { return r != 0; });
 }

@@ -19,7 +19,6 @@ struct GridPoint {
   std::vector<char> resting;         ///< per cube: certified, v = 0 and a = 0
   std::vector<int> jammed;           ///< rods that contradicted each other
 
-  [[nodiscard]] bool rests(const Island& island) const;
   /// Whether every cube rests, so that steps change nothing but the time.
   [[nodiscard]] bool at_rest() const;
 };

@@ -39,7 +39,7 @@ void step_by_moreau(GridPoint& point, double dt, Workspace& work, Bookkeeping& b
   std::vector<Contact> pressed;
   for (std::size_t m = 0; m < point.islands.size(); ++m) {
     const Island& island = point.islands[m];
-    if (point.rests(island)) {
+    if (all_rest(island, point.resting)) {
       const bool solved =
           m < point.solutions.size() && point.solutions[m].forces.size() == island.contacts.size();
       point.push += dt

@@ -68,19 +68,17 @@ double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
   return h == end - t ? end : t + h;
 }
 
-/// Energy that is in motion, J.
-double ControlledStepping::in_motion() const {
-  return kinetic_energy(*system_, state_) + scales_.weight * scales_.length;
-}
-
 /// By how much energy may rise in a step before it is put right, J.
-double ControlledStepping::bearable_rise() const { return rise_share * in_motion(); }
+double ControlledStepping::bearable_rise() const {
+  return rise_share * energy_in_motion(*system_, state_, scales_);
+}
 
 /// By how much a step may change the energy before it is put right, J, either way. Without rods it is put right before it has
 /// strayed far, and shorter steps would cost a third more.
 double ControlledStepping::bearable_sway() const {
   if (system_->rods.empty()) return std::numeric_limits<double>::infinity();
-  return sway_ > 0.0 ? sway_of_step * sway_ * in_motion() : bearable_rise();
+  return sway_ > 0.0 ? sway_of_step * sway_ * energy_in_motion(*system_, state_, scales_)
+                     : bearable_rise();
 }
 
 /// Whether the error of a step and what it changed the energy by are small enough.

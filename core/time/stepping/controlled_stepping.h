@@ -25,7 +25,6 @@ class ControlledStepping {
   [[nodiscard]] State with_closed_gaps();
 
  private:
-  [[nodiscard]] double in_motion() const;
   [[nodiscard]] double bearable_rise() const;
   [[nodiscard]] double bearable_sway() const;
   [[nodiscard]] bool is_exact(const Step& step) const;

@@ -24,11 +24,7 @@ void Landing::find_touching(Stride& stride, Bookkeeping& book) {
   contacts_ = removal_->touching();
   note_overlap(work_->finder.deepest().depth, work_->finder.deepest().scale, book.audit);
   std::erase_if(contacts_, [&](const Contact& c) { return is_covered(*system_, c); });
-  std::vector<ContactId> found;
-  found.reserve(contacts_.size());
-  for (const Contact& c : contacts_)
-    found.push_back(c.id());
-  std::ranges::sort(found);
+  const std::vector<ContactId> found = sorted_ids(contacts_);
   for (auto& [id, blow] : stride_->blows) {
     blow.end = at_poses(*system_, work_->finder.boxes(), blow.start);
     if (!std::ranges::binary_search(found, id)
@@ -41,10 +37,7 @@ void Landing::find_touching(Stride& stride, Bookkeeping& book) {
 /// What bounces is judged by the speed at which it closes: a blow that the placement has taken it from is left to the
 /// impact law.
 void Landing::strike_anew(State& state) {
-  std::vector<ContactId> near;
-  for (const Contact& c : contacts_)
-    near.push_back(c.id());
-  std::ranges::sort(near);
+  const std::vector<ContactId> near = sorted_ids(contacts_);
   const auto bounces = [&](const Contact& c) {
     const Contact& start = stride_->blows.at(c.id()).start;
     return system_->surface(start.on, start.from).restitution > 0.0

@@ -46,7 +46,7 @@ void NearContacts::find(double reach,
   };
   const double fall = gravity_ * step_ * step_;
   for (const auto& [i, j] : neighbours_.find(*system_, bounds_of)) {
-    const double scale = std::min(system_->body(i).smaller_side(), system_->body(j).smaller_side());
+    const double scale = contact_scale(*system_, i, j);
     const FacingSide side =
         separating_side(*system_, {start_, drift_, end_}, slow_share * fall, i, j);
     if (side.separation >= reach * scale) continue;
@@ -62,8 +62,7 @@ void NearContacts::find(double reach,
 void NearContacts::add_planes(double reach,
                               const std::vector<Box>& measured,
                               std::vector<Contact>& contacts) const {
-  for (int p = 0; p < system_->count(); ++p) {
-    if (system_->body(p).kind != BodyKind::plane) continue;
+  for (int p = box_count(*system_); p < system_->count(); ++p) {
     for (int i = 0; i < system_->cubes; ++i)
       add_corners(i, p, reach, measured, contacts);
   }

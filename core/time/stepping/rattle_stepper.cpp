@@ -32,9 +32,8 @@ RattleStepper::RattleStepper(const System& system, const MotionSettings& setting
       sway_(sway) {}
 
 void RattleStepper::begin(const State& state) {
-  const Scales scales = scales_of(*system_, state);
   true_energy_ = energy(*system_, state);
-  start_motion_ = kinetic_energy(*system_, state) + scales.weight * scales.length;
+  start_motion_ = energy_in_motion(*system_, state, scales_of(*system_, state));
 }
 
 double RattleStepper::longest_step(const State& state) const {
@@ -121,8 +120,7 @@ void RattleStepper::fly_second_half(State& state) const {
 /// Velocities and books at the end of the way.
 void RattleStepper::arrive(Step& step, double t) {
   step.overlap = removal_.left();
-  if (!system_->rods.empty())
-    step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
+  step.book.audit.max_rod_error = largest_rod_error(*system_, step.state);
   landing_.find_touching(stride_, step.book);
   State flown = step.state;
   keep_turning(*system_, cleaned_, flown_, step.state);
@@ -171,10 +169,8 @@ Push RattleStepper::pushed() const {
   Push sum;
   for (std::size_t k = 0; k < system_->rods.size(); ++k) {
     const Rod& rod = system_->rods[k];
-    if (k < stride_.rods_first.size())
-      add_push(stride_.start, start, rod, stride_.rods_first[k], sum);
-    if (k < stride_.rods_second.size())
-      add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
+    add_push(stride_.start, start, rod, stride_.rods_first[k], sum);
+    add_push(stride_.before, end, rod, stride_.rods_second[k], sum);
   }
   for (const auto& [id, blow] : stride_.blows) {
     add_push(*system_, stride_.start, start, blow.start, blow.first, sum);
@@ -199,8 +195,7 @@ void RattleStepper::jam(Step& step, StepRecord& record, double t) {
     }
     if (jam.rods.empty()) continue;
     if (jam.rods == jammed_) note_contradiction(*system_, jam.rods, t, step.book);
-    for (Event& e : jam_events(*system_, stride_.before, step.state, jam.rods, t + stride_.h))
-      step.book.events.push_back(std::move(e));
+    add_jam_events(*system_, stride_.before, step.state, jam.rods, t + stride_.h, step.book.events);
     step.jammed.insert(step.jammed.end(), jam.rods.begin(), jam.rods.end());
   }
 }
@@ -237,11 +232,10 @@ void RattleStepper::take_jam(const Island& island,
 
 /// Whether energy is farther from its true value than it may sway.
 bool RattleStepper::strays(const StepRecord& record, const State& end) const {
-  const Scales& scales = stride_.scales;
   double astray = energy(*system_, end) - true_energy_;
   for (const StepComponent& part : record.components)
     astray += sum_of(part.losses);
-  const double in_motion = kinetic_energy(*system_, stride_.start) + scales.weight * scales.length;
+  const double in_motion = energy_in_motion(*system_, stride_.start, stride_.scales);
   const double sway = sway_ * in_motion;
   if (!system_->rods.empty()) return std::abs(astray) > sway;
   const double most = most_missing * std::min(start_motion_, in_motion);

@@ -12,10 +12,7 @@ constexpr double residual_share = 1e-9;
 
 /// Whether somebody pushed at an island who no longer touches it: what held it then does not hold it at rest.
 bool was_visited(const Stride& stride, const Island& island) {
-  std::vector<ContactId> own;
-  for (const Contact& c : island.contacts)
-    own.push_back(c.id());
-  std::ranges::sort(own);
+  const std::vector<ContactId> own = sorted_ids(island.contacts);
   const auto is_mine = [&](int body) { return std::ranges::binary_search(island.cubes, body); };
   return std::ranges::any_of(stride.blows, [&](const auto& entry) {
     const auto& [id, blow] = entry;

@@ -4,11 +4,6 @@
 
 namespace wuerfel {
 
-Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
-  const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
-  return solution.forces[k] * c.normal + side * perp(c.normal);
-}
-
 void add_blows(const System& system,
                const std::vector<Box>& start_boxes,
                const std::vector<Contact>& contacts,

@@ -46,9 +46,6 @@ struct Stride {
   std::vector<int> jammed{};          ///< rods of islands that no placement led to their lengths
 };
 
-/// The impulse of a solution on the body of the corner of its contact k.
-Vec2 impulse_at(const Contact& contact, const IslandSolution& solution, std::size_t k);
-
 /// Contacts that have not acted so far enter the stride, whose bodies were at `start_boxes`.
 void add_blows(const System& system,
                const std::vector<Box>& start_boxes,

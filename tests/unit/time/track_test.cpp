@@ -146,9 +146,9 @@ TEST(Track, RestTakesWhatHardlyMoves) {
 }
 
 TEST(Track, OfTwoSteppingsTheLongerOneCounts) {
-  const Track::Stepping a{1.0, 8};
-  const Track::Stepping b{2.0, 4};
-  for (const Track::Stepping& both : {later(a, b), later(b, a)}) {
+  const Stepping a{1.0, 8};
+  const Stepping b{2.0, 4};
+  for (const Stepping& both : {later(a, b), later(b, a)}) {
     EXPECT_EQ(both.until, 2.0);
     EXPECT_EQ(both.patience, 8);
   }

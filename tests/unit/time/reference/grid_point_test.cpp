@@ -15,13 +15,12 @@ Island pair_of_cubes() {
   return island;
 }
 
-TEST(GridPoint, AnIslandRestsWhereAllOfItDoes) {
+TEST(GridPoint, RestsWhereAllOfItDoes) {
+  EXPECT_TRUE(all_rest(pair_of_cubes(), {0, 1, 1}));
+  EXPECT_FALSE(all_rest(pair_of_cubes(), {1, 1, 0}));
   GridPoint point;
   point.resting = {0, 1, 1};
-  EXPECT_TRUE(point.rests(pair_of_cubes()));
   EXPECT_FALSE(point.at_rest());
-  point.resting = {1, 1, 0};
-  EXPECT_FALSE(point.rests(pair_of_cubes()));
   point.resting = {1, 1, 1};
   EXPECT_TRUE(point.at_rest());
 }
