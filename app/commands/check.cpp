@@ -95,6 +95,8 @@ nlohmann::ordered_json check_json(const Scene& scene, const Check& answer) {
                      {"stands_without_friction", answer.facts->stands_without_friction},
                      {"fall_also_possible", answer.facts->fall_also_possible}};
   }
+  // There are no accelerations, then: those told are the nearest that were found.
+  if (answer.jams) json["painleve"] = true;
   json["objective"] = answer.objective;
   json["kkt_residual"] = answer.kkt_residual;
   return json;

@@ -40,11 +40,6 @@ bool is_smooth(
          <= most_missed * size(to.velocity - from.velocity, to.spin - from.spin);
 }
 
-/// Whether a cube stood in a step.
-bool stood(const BodyState& from, const BodyState& to) {
-  return is_still(from) && is_still(to) && from.position == to.position && from.angle == to.angle;
-}
-
 /// A blow, by what it changes of a cube's velocities.
 struct Jump {
   double share = 0.0;
@@ -146,40 +141,55 @@ State StepLook::between(
   return state;
 }
 
-/// Velocities of the start, changed by gravity and by the impulses up to then. What is still missing at the end comes
-/// evenly.
+/// Velocities change evenly, but for what blows do: all cubes of a component have it from its last blow on, for what one cube
+/// squeezes against another passes through both at once. Until then gravity moves what nothing bears.
 void StepLook::set_velocities(const State& from,
                               const State& to,
                               double h,
                               double share,
                               const StepRecord& record,
                               State& state) const {
-  State end = from;
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    state[i].velocity = from[i].velocity + share * h * system_->gravity;
-    state[i].spin = from[i].spin;
-    end[i].velocity += h * system_->gravity;
-  }
-  const auto add = [&](int cube, const Vec2& linear, double turn, double part, State& sum) {
+  struct Change {
+    Twist pushed;          // by impulses
+    bool borne = false;    // from the beginning on
+    double struck = -1.0;  // share of the step; not at all: -1
+  };
+  std::vector<Change> changes(from.size());
+  const auto add = [&](int cube, const StepImpulse& p, const Vec2& linear, double turn) {
     if (!system_->is_cube(cube)) return;
-    const Body& body = system_->body(cube);
-    sum[cube].velocity += part / body.mass * linear;
-    sum[cube].spin += part / body.inertia * turn;
+    Change& change = changes[cube];
+    change.pushed.linear += linear / system_->body(cube).mass;
+    change.pushed.angular += turn / system_->body(cube).inertia;
+    if (p.begin == p.end) {
+      change.struck = std::max(change.struck, p.begin);
+    } else if (p.begin == 0.0) {
+      change.borne = true;
+    }
   };
   for (const StepImpulse& p : record.impulses) {
-    const double part = p.end > p.begin
-                            ? std::clamp((share - p.begin) / (p.end - p.begin), 0.0, 1.0)
-                            : (share >= p.begin ? 1.0 : 0.0);
-    add(p.on, p.linear, p.turn_on, part, state);
-    add(p.from, -p.linear, p.turn_from, part, state);
-    add(p.on, p.linear, p.turn_on, 1.0, end);
-    add(p.from, -p.linear, p.turn_from, 1.0, end);
+    add(p.on, p, p.linear, p.turn_on);
+    add(p.from, p, -p.linear, p.turn_from);
   }
+  for (const StepComponent& part : record.components) {
+    double last = -1.0;
+    for (const int cube : part.cubes)
+      last = std::max(last, changes[cube].struck);
+    for (const int cube : part.cubes)
+      changes[cube].struck = last;
+  }
+  const Vec2 fall = h * system_->gravity;
   for (std::size_t i = 0; i < state.size(); ++i) {
-    state[i].velocity += share * (to[i].velocity - end[i].velocity);
-    state[i].spin += share * (to[i].spin - end[i].spin);
-    // What stood is not moved by what rounding leaves of its impulses.
-    if (stood(from[i], to[i])) stop(state[i]);
+    // What impulses leave out comes evenly.
+    Twist even{to[i].velocity - from[i].velocity, to[i].spin - from[i].spin};
+    Twist blow;
+    if (changes[i].struck >= 0.0) {
+      blow = changes[i].pushed;
+      if (changes[i].borne) blow.linear += fall;
+      even = {even.linear - blow.linear, even.angular - blow.angular};
+    }
+    const double part = share >= changes[i].struck ? 1.0 : 0.0;
+    state[i].velocity = from[i].velocity + share * even.linear + part * blow.linear;
+    state[i].spin = from[i].spin + share * even.angular + part * blow.angular;
   }
 }
 
