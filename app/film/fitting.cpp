@@ -124,7 +124,8 @@ int auto_height(const PictureOptions& scaled, const Recording& motion) {
   for (int k = 0; k < 8; ++k) {
     const Insets insets = frame_insets(style, frame, width, static_cast<int>(height));
     const double room = std::max(width - insets.left - insets.right, 0.25 * width);
-    height = std::clamp(room * size.y() / size.x() + insets.top + insets.bottom,
+    const double with_hud = height_for_hud(style, frame, width, static_cast<int>(height)) + 1.0;
+    height = std::clamp(std::max(room * size.y() / size.x() + insets.top + insets.bottom, with_hud),
                         least_auto_height * width, largest_auto_height * width);
   }
   return std::max(static_cast<int>(std::lround(height)), 16);

@@ -78,9 +78,12 @@ double head_height(const Style& style, double unit) {
   return (40.0 + style.title_size + style.text_size) * unit;
 }
 
-double foot_height(const Style& style, const FrameOptions& options, double unit) {
-  return (44.0 + style.text_size + (options.foot_lines - 1) * line_height * style.text_size) * unit;
+double foot_height(const Style& style, int lines, double unit) {
+  return (44.0 + style.text_size + (lines - 1) * line_height * style.text_size) * unit;
 }
+
+/// Of a picture's height, that the HUD may take: more where larger text was asked for.
+double hud_share(const FrameOptions& options) { return options.scale > 1.0 ? 0.6 : 0.4; }
 
 /// What is drawn of bodies that are apart already: their forces act on each by itself.
 FrameOptions cut_free(const FrameOptions& options) {
@@ -170,11 +173,16 @@ void add(std::span<const Part> all, const internal::FrameParts& parts) {
 
 HudParts hud_parts(const Style& style, const FrameOptions& options, int width, int height) {
   if (!options.layers.has(Layer::hud)) return {};
-  constexpr double share = 0.4;
   const double unit = frame_unit(width, height, options.scale);
-  const double room = share * height;
-  const bool foot = head_height(style, unit) + foot_height(style, options, unit) <= room;
-  return {head_height(style, unit) <= room, foot};
+  const double room = hud_share(options) * height;
+  return {head_height(style, unit) <= room,
+          height_for_hud(style, options, width, height) <= height};
+}
+
+double height_for_hud(const Style& style, const FrameOptions& options, int width, int height) {
+  if (!options.layers.has(Layer::hud)) return 0.0;
+  const double unit = frame_unit(width, height, options.scale);
+  return (head_height(style, unit) + foot_height(style, 1, unit)) / hud_share(options);
 }
 
 Insets frame_insets(const Style& style, const FrameOptions& options, int width, int height) {
@@ -185,7 +193,7 @@ Insets frame_insets(const Style& style, const FrameOptions& options, int width, 
       hud.head && (options.coloring.by == ColorBy::load || options.coloring.by == ColorBy::speed);
   return {margin, hud.head ? head_height(style, unit) : margin,
           bar ? (color_bar_width + 30.0) * unit : margin,
-          hud.foot ? foot_height(style, options, unit) : margin};
+          hud.foot ? foot_height(style, options.foot_lines, unit) : margin};
 }
 
 DrawList compose_frame(const Snapshot& snapshot,
