@@ -17,6 +17,8 @@ constexpr double break_at = 0.3;        ///< of a cut arrow's shaft, from its ta
 constexpr double break_gap = 5.0;       ///< px between the strokes of a break
 constexpr double break_reach = 5.5;     ///< px that they reach to each side
 constexpr double two_heads = 24.0;      ///< px, beside each other
+constexpr float longest_head = 1.35F;   ///< of all forms, of a filled one's: two open ones
+constexpr float widest_head = 1.25F;    ///< half a head
 constexpr double center_dot = 2.6;      ///< px, where velocities start
 
 /// A place on an arrow: `along` px from its tail, `across` to its left as seen on the screen.
@@ -280,9 +282,12 @@ std::vector<PendingArrow> add_arrows(const FrameParts& parts) {
   for (const PendingArrow& arrow : arrows) {
     const ArrowShape& shape = arrow.shape;
     const Frame frame(shape);
-    const Pixel neck = frame.at(std::max(frame.length() - shape.head_length, 0.0F), 0.0F);
+    // Strokes are as wide beyond their ends.
+    const float head = widest_head * shape.head_half_width;
+    const float start = frame.length() - longest_head * shape.head_length + head;
+    const Pixel neck = frame.at(std::clamp(start, 0.0F, frame.length()), 0.0F);
     parts.labels.keep_off(shape.tail, neck, static_cast<double>(shape.half_width));
-    parts.labels.keep_off(neck, shape.tip, static_cast<double>(shape.head_half_width));
+    parts.labels.keep_off(neck, shape.tip, static_cast<double>(head));
   }
   return arrows;
 }

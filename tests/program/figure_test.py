@@ -157,6 +157,11 @@ class Formats(ProgramTest):
         self.assertIn("the legend is left out", notes)
         self.assertIn("title and legend are left out", drawn("--size", "64x64")[1])
 
+    def test_forces_of_one_corner_all_have_their_numbers(self):
+        done = self.expect(0, "figure", "incline_friction", "-t", "0.5", "--layers", "cubes,contact-forces,values,hud",
+                           "-o", "f.png")
+        self.assertEqual(done.stderr, "")
+
     def test_free_bodies_have_weights_and_numbers(self):
         scene = self.scene(STANDING)
         self.expect(0, "figure", scene, "--explode", "0.3", "-o", "f.png")
