@@ -112,8 +112,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const StopSignal stop;
   Font font;
   const Still still = compose_still(scene, still_options, stop, font);
-  if (still.labels_left_out > 0)
-    notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
+  note_labels_left_out(still.labels_left_out, notes);
   note_hud(still_options, still.page, notes);
   if (still.legend_left_out > 0) {
     notes.add(

@@ -114,4 +114,8 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
     notes.add("the layer values shows nothing without forces, contact-forces, joints or weights");
 }
 
+void note_labels_left_out(int labels, Notes& notes) {
+  if (labels > 0) notes.add(fmt::format("{} labels have no room and are left out", labels));
+}
+
 }  // namespace wuerfel
