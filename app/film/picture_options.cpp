@@ -98,6 +98,7 @@ FrameOptions frame_options(const PictureOptions& fitted) {
   frame.coloring = {fitted.color_by.value_or(ColorBy::body), fitted.color_top.value_or(0.0)};
   frame.legend = fitted.legend.value_or(frame.legend);
   frame.explode = fitted.explode;
+  frame.head_lines = fitted.head_lines;
   frame.foot_lines = fitted.foot_lines;
   frame.interval = fitted.average.value_or(0.0);
   return frame;

@@ -63,6 +63,8 @@ void mark_reason(const Scene& scene, StillOptions& options, Snapshot& extras) {
   for (const Layer layer : {Layer::causes, Layer::mechanism})
     if (reason_layers(explanation).has(layer)) options.picture.layers.insert(layer);
   add_reason(scene, explanation, *options.why, extras);
+  options.picture.head_lines =
+      std::max(1, static_cast<int>(std::ssize(extras.reason->headlines)) - 1);
   options.picture.foot_lines = std::max(1, static_cast<int>(std::ssize(extras.reason->advice)));
 }
 

@@ -74,8 +74,9 @@ DrawList instances(const Snapshot& snapshot, const View& view) {
   return list;
 }
 
-double head_height(const Style& style, double unit) {
-  return (40.0 + style.title_size + style.text_size) * unit;
+double head_height(const Style& style, int lines, double unit) {
+  return (40.0 + style.title_size + style.text_size + (lines - 1) * line_height * style.text_size)
+         * unit;
 }
 
 double foot_height(const Style& style, int lines, double unit) {
@@ -152,9 +153,10 @@ constexpr Part above_arrows[] = {
     {"normals", internal::add_normals, has<Layer::normals>},
     {"contacts", internal::add_contacts, has<Layer::contacts>},
     {"points", internal::add_points, has<Layer::points>},
-    {"fixes", internal::add_fixes, has_fixes},
+    {"moves", internal::add_moved_boxes, has_fixes},
     {"mechanism", internal::add_mechanism, has<Layer::mechanism>},
     {"causes", internal::add_causes, has<Layer::causes>},
+    {"fixes", internal::add_fixes, has_fixes},
     {"words", internal::add_reason_text, has_reason_text},
     {"hud", internal::add_hud, has_hud},
 };
@@ -175,14 +177,14 @@ HudParts hud_parts(const Style& style, const FrameOptions& options, int width, i
   if (!options.layers.has(Layer::hud)) return {};
   const double unit = frame_unit(width, height, options.scale);
   const double room = hud_share(options) * height;
-  return {head_height(style, unit) <= room,
+  return {head_height(style, 1, unit) <= room,
           height_for_hud(style, options, width, height) <= height};
 }
 
 double height_for_hud(const Style& style, const FrameOptions& options, int width, int height) {
   if (!options.layers.has(Layer::hud)) return 0.0;
   const double unit = frame_unit(width, height, options.scale);
-  return (head_height(style, unit) + foot_height(style, 1, unit)) / hud_share(options);
+  return (head_height(style, 1, unit) + foot_height(style, 1, unit)) / hud_share(options);
 }
 
 Insets frame_insets(const Style& style, const FrameOptions& options, int width, int height) {
@@ -191,7 +193,7 @@ Insets frame_insets(const Style& style, const FrameOptions& options, int width, 
   const HudParts hud = hud_parts(style, options, width, height);
   const bool bar =
       hud.head && (options.coloring.by == ColorBy::load || options.coloring.by == ColorBy::speed);
-  return {margin, hud.head ? head_height(style, unit) : margin,
+  return {margin, hud.head ? head_height(style, options.head_lines, unit) : margin,
           bar ? (color_bar_width + 30.0) * unit : margin,
           hud.foot ? foot_height(style, options.foot_lines, unit) : margin};
 }

@@ -20,6 +20,7 @@ struct FrameOptions {
   BodyColoring coloring;
   double explode =
       0.0;             ///< bodies are so much farther apart than they are, with all forces on them
+  int head_lines = 1;  ///< of text below the title, that the view keeps free
   int foot_lines = 1;  ///< of text at the foot, that the view keeps free
   double interval = 0.0;  ///< s between frames: how many digits the time has; 0: a still picture
   /// HiDPI factor on text, lines and arrow heads.

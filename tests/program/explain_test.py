@@ -2,6 +2,7 @@
 import json
 import math
 import os
+from xml.etree import ElementTree
 
 from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main, png_size, png_texts
 
@@ -158,6 +159,32 @@ class Explain(ProgramTest):
         self.assertEqual(png_size(self.path("why.png")), (400, 300))
         self.assertIn("--why de", png_texts(self.path("why.png"))["Options"])
         self.expect(0, "reproduce", "why.png")
+
+    def texts(self, scene, *options):
+        """Of the picture of a scene, and what is noted."""
+        done = self.expect(1, "explain", scene, "-o", "why.svg", *options)
+        with open(self.path("why.svg")) as file:
+            drawn = file.read()
+        return [text.text for text in ElementTree.fromstring(drawn).iter("{http://www.w3.org/2000/svg}text")], drawn, done.stderr
+
+    def test_a_picture_tells_how_all_gives_way_together(self):
+        texts, _, _ = self.texts("drawbridge")
+        self.assertIn("No part fails by itself; together they give way:", texts)
+        self.assertEqual(len([text for text in texts if "of the work" in text]), 3, texts)
+
+    def test_a_picture_marks_two_causes_and_what_helps_above_them(self):
+        sliding = {"version": 1, "material": {"friction": 0.15}, "plane": [{"name": "ground", "normal": [-0.2, 1]}],
+                   "cube": [{"name": "pillar", "size": [0.6, 1.5], "mass": 300, "on": "ground"},
+                            {"name": "cap", "size": [1, 0.3], "mass": 100, "on": "pillar", "offset": 0.1}]}
+        texts, drawn, _ = self.texts(self.scene(sliding))
+        self.assertTrue(any(text.startswith("cap moves") for text in texts), texts)
+        self.assertTrue(any(text.startswith("pillar and cap together move") for text in texts), texts)
+        self.assertLess(drawn.index('"causes"'), drawn.index('"fixes"'))
+
+    def test_names_without_room_are_noted(self):
+        long = {**FALLING, "cube": [{**cube, "name": "the one whose name is much too long for it " + cube["name"]}
+                                    for cube in FALLING["cube"]]}
+        self.assertIn("labels have no room", self.texts(self.scene(long), "--size", "320x240")[2])
 
     def test_pictures_of_what_stands_and_of_what_moves(self):
         for scene, code in ((STANDING, 0), (FLYING, 1)):
