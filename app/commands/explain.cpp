@@ -43,7 +43,7 @@ void draw(const Scene& scene, const ExplainOptions& asked, Notes& notes) {
   const Still still = compose_still(scene, options, stop, font);
   note_labels_left_out(still.labels_left_out, notes);
   if (const auto format = vector_format(lower_case(asked.output))) {
-    output.write(encode_vector_figure(still.page, *format, font, still.cells));
+    output.write(encode_vector_figure(still.page, *format, font, still.cells, still.texts));
   } else {
     output.write(encode_png(draw_still(still), still.origin, options.picture.encoder));
   }

@@ -158,7 +158,8 @@ class Explain(ProgramTest):
             self.assertIn(name, self.files())
         self.assertEqual(png_size(self.path("why.png")), (400, 300))
         self.assertIn("--why de", png_texts(self.path("why.png"))["Options"])
-        self.expect(0, "reproduce", "why.png")
+        for name in ("why.png", "why.svg"):
+            self.expect(0, "reproduce", name)
 
     def texts(self, scene, *options):
         """Of the picture of a scene, and what is noted."""
