@@ -90,6 +90,11 @@ class Margins(ProgramTest):
         self.assertIn("there is no cube 'd1'; did you mean", self.expect(2, "check", scene, "--margin", "--bodies", "d1").stderr)
         self.assertIn("floor", self.expect(2, "check", scene, "--ranges", "--bodies", "floor").stderr)
         self.assertIn("'tlit' is unknown", self.expect(2, "check", scene, "--margin", "tlit,load").stderr)
+        foo = self.expect(2, "check", scene, "--margin", "foo").stderr
+        self.assertIn("--margin: 'foo' is unknown", foo)
+        self.assertIn("tilt, load, shift, move", foo)
+        self.assertIn("nowhere.toml: no such file", self.expect(2, "check", "--margin", "nowhere.toml").stderr)
+        self.expect(1, "check", "--margin", "fig1_stack")
         self.assertIn("does nothing", self.expect(0, "check", scene, "--bodies", "c1").stderr)
 
 
