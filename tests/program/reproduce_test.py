@@ -106,6 +106,15 @@ class Reproduce(ProgramTest):
                 report = json.loads(self.expect(1, "reproduce", "f.png", "--json").stdout)
                 self.assertEqual((report["same"], report["verdict"]), (False, "different"))
 
+    def test_the_line_is_told_in_which_svg_files_differ(self):
+        self.expect(0, "figure", self.scene(FALLING), "-o", "f.svg", *SMALL)
+        with open(self.path("f.svg")) as file:
+            lines = file.read().split("\n")
+        lines[5] += " "
+        with open(self.path("f.svg"), "w") as file:
+            file.write("\n".join(lines))
+        self.assertEqual(self.expect(1, "reproduce", "f.svg").stdout, "different: first in line 6\n")
+
     def test_another_version_is_told(self):
         self.changed("Software", "wuerfel ", "wuerfel 0.0.")
         self.assertIn("was made by wuerfel 0.0.", self.expect(0, "reproduce", "f.png").stderr)
