@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include <fmt/core.h>

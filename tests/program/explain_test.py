@@ -85,6 +85,20 @@ class Margins(ProgramTest):
         margin = self.check(LANDING, "--margin")["margin"]
         self.assertEqual(margin["bodies"]["a"]["shift"], [-0.5, 0.5])
 
+    def test_rounding_is_no_result_and_columns_stand_below_their_names(self):
+        long = "a pillar with a long name"
+        sliding = {"version": 1, "material": {"friction": 0.15}, "plane": [{"name": "ground", "normal": [-0.2, 1]}],
+                   "cube": [{"name": long, "size": [0.6, 1.5], "mass": 300, "on": "ground"},
+                            {"name": "cap", "size": [1, 0.3], "mass": 100, "on": long, "offset": 0.1}]}
+        text = self.expect(1, "check", self.scene(sliding), "--ranges").stdout
+        self.assertNotRegex(text, r"e-1\d")
+        for table in (text.split("\n\n")[k] for k in (1, 3)):
+            lines = table.strip("\n").split("\n")
+            self.assertGreater(len(lines), 2)
+            column = lines[0].index("from")
+            self.assertEqual({line[column:column + 6].strip() for line in lines[1:]}, {"cap", "ground"})
+            self.assertEqual(len({len(line) for line in lines}), 1, table)
+
     def test_names_that_are_not_there(self):
         scene = self.scene(TOWER)
         self.assertIn("there is no cube 'd1'; did you mean", self.expect(2, "check", scene, "--margin", "--bodies", "d1").stderr)
