@@ -103,6 +103,8 @@ void add_moved_boxes(const FrameParts& parts);
 void add_fixes(const FrameParts& parts);
 void add_reason_text(const FrameParts& parts);
 
+/// Of velocities and accelerations.
+void add_motion_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
 /// Arrows of the forces, and dots for those too small for one.
 void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
 void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
