@@ -194,7 +194,7 @@ void add_impacts(const FrameParts& parts) {
   for (const SnapshotBox& box : parts.snapshot.boxes) {
     if (box.fixed) continue;
     mass += box.mass;
-    side += std::sqrt(box.size.x() * box.size.y());
+    side += typical_side_of(box);
     ++count;
   }
   const double gravity = parts.snapshot.gravity.norm();

@@ -23,7 +23,7 @@ double fineness(const Snapshot& snapshot, const View& view, double unit) {
   int count = 0;
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
-    sum += std::sqrt(box.size.x() * box.size.y());
+    sum += typical_side_of(box);
     ++count;
   }
   if (count == 0) return 1.0;

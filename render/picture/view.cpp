@@ -58,7 +58,7 @@ double motion_scale(const Snapshot& snapshot) {
   int count = 0;
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
-    side += std::sqrt(box.size.x() * box.size.y());
+    side += typical_side_of(box);
     ++count;
   }
   return count == 0 ? 0.0 : reach * side / count;

@@ -1,7 +1,6 @@
 // Arrows, and what else shows forces and motions, in the draw list.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <string>
 
@@ -279,14 +278,6 @@ TEST_F(Composition, WhiskersReachFromTheLeastForceToTheMost) {
     return s.color == style.whisker && std::abs(s.from.y - s.to.y) < 1e-3F;
   });
   EXPECT_EQ(bars, 5);
-}
-
-TEST_F(Composition, WhiskersWithoutAnEndAreOpenLikeThoseThatAreTooLong) {
-  snapshot = failing_snapshot();
-  const Layers layers{Layer::cubes, Layer::forces, Layer::whiskers};
-  const DrawList too_long = compose(layers);
-  snapshot.joints[4].range->most = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(compose(layers).segments == too_long.segments);
 }
 
 TEST_F(Composition, WhiskersStandAtCornerForcesToo) {
