@@ -513,6 +513,11 @@ class Family(Sweep):
         self.expect(0, "sweep", "sheet", "plan", "-o", "sheet.png", "--strip", "4x3", "--size", "400x330")
         with open(self.path("sheet.png"), "rb") as file:
             self.assertEqual(struct.unpack(">II", file.read()[16:24]), (400, 330))
+        self.expect(0, "sweep", "sheet", "plan", "-o", "sheet.png")  # 24 cases: three of eight rows
+        with open(self.path("sheet.png"), "rb") as file:
+            width, height = struct.unpack(">II", file.read()[16:24])
+        self.assertEqual(width, 1600)
+        self.assertLess(height, 1760 * 0.4)
 
 
 if __name__ == "__main__":
