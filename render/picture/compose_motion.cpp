@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry/vec2.h"
 #include "render/picture/frame_parts.h"
 
 namespace wuerfel::internal {
