@@ -74,18 +74,6 @@ std::vector<std::uint8_t> encode(const Still& still, const FigureOptions& asked,
   return encode_png(draw_still(still), still.origin, asked.still.picture.encoder);
 }
 
-// A strip has a title and a legend whatever its size.
-void note_hud(const StillOptions& options, const DrawList& page, Notes& notes) {
-  const PictureOptions& picture = options.picture;
-  if (options.strip || !picture.layers.has(Layer::hud) || picture.layers.has(Layer::instances))
-    return;
-  const HudParts hud =
-      hud_parts(make_style(picture.theme), frame_options(picture), page.width, page.height);
-  if (hud.foot) return;
-  notes.add(fmt::format("{} left out for want of room: take a larger --size or a smaller --scale",
-                        hud.head ? "the legend is" : "title and legend are"));
-}
-
 ExitCode figure(const FigureOptions& asked, const Options& options) {
   require_still(asked);
   Notes notes;
@@ -113,7 +101,9 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   Font font;
   const Still still = compose_still(scene, still_options, stop, font);
   note_labels_left_out(still.labels_left_out, notes);
-  note_hud(still_options, still.page, notes);
+  // A strip has a title and a legend whatever its size.
+  if (!still_options.strip)
+    note_hud(still_options.picture, {still.page.width, still.page.height}, notes);
   if (still.legend_left_out > 0) {
     notes.add(
         fmt::format("{} entries of the legend have no room and are left out: take a larger "

@@ -156,6 +156,8 @@ class Formats(ProgramTest):
         self.assertNotIn("weight", texts)
         self.assertIn("the legend is left out", notes)
         self.assertIn("title and legend are left out", drawn("--size", "64x64")[1])
+        done = self.expect(0, "run", self.scene(STANDING), "-o", "f/", "--fps", "1", "--scale", "4", "--size", "640x360")
+        self.assertIn("the legend is left out", done.stderr)
 
     def test_forces_of_one_corner_all_have_their_numbers(self):
         done = self.expect(0, "figure", "incline_friction", "-t", "0.5", "--layers", "cubes,contact-forces,values,hud",
