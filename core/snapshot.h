@@ -174,6 +174,7 @@ struct SnapshotCause {
   std::optional<Vec2> corner{};  ///< m, that it tips over
   Vec2 beside = Vec2::Zero();    ///< m, at the corner's height below the centre; of one that tips
   double outside = 0.0;          ///< m, how far that is beside the support; likewise
+  std::string label{};           ///< the same in words; empty: the number
   bool operator==(const SnapshotCause&) const = default;
 };
 
@@ -197,7 +198,6 @@ struct SnapshotReason {
   };
   std::vector<std::string> headlines;  ///< what fails
   std::vector<std::string> advice;     ///< what would help
-  std::string outside;                 ///< SnapshotCause::outside in words
   std::vector<Fix> fixes;
 };
 

@@ -128,14 +128,15 @@ void add_look_options(Options& options, PictureOptions& picture) {
       "length of force arrows in m per N, of the longest in m, and the smallest force shown "
       "in N [fits the run]",
       [&picture](const Text& text) { picture.force_scale = parse_force_scale(text); });
-  options.single("--velocity-scale", "S", "length of velocity arrows in m per m/s [fits the run]",
+  options.single("--velocity-scale", "S",
+                 "length of velocity arrows in m per m/s, 0: none [fits the run]",
                  [&picture](const Text& text) {
-                   picture.velocity_scale = parse_positive("--velocity-scale", text);
+                   picture.velocity_scale = parse_time("--velocity-scale", text);
                  });
   options.single("--acceleration-scale", "S",
-                 "length of acceleration arrows in m per m/s^2 [fits the run]",
+                 "length of acceleration arrows in m per m/s^2, 0: none [fits the run]",
                  [&picture](const Text& text) {
-                   picture.acceleration_scale = parse_positive("--acceleration-scale", text);
+                   picture.acceleration_scale = parse_time("--acceleration-scale", text);
                  });
   options.single(
       "--color,--colour", "BY",
@@ -143,8 +144,10 @@ void add_look_options(Options& options, PictureOptions& picture) {
                   join_choices(choices<ColorBy>()), crowd),
       [&picture](const Text& text) { picture.color_by = parse_choice<ColorBy>("--color", text); });
   options.single(
-      "--color-top", "N", "load in N, or speed in m/s, of the last colour [fits the run]",
-      [&picture](const Text& text) { picture.color_top = parse_positive("--color-top", text); });
+      "--color-top", "N",
+      "load in N, or speed in m/s, of the last colour; 0: the largest of each picture [fits the "
+      "run]",
+      [&picture](const Text& text) { picture.color_top = parse_time("--color-top", text); });
   options.single("--explode", "S",
                  "free bodies: each farther from the others by this share of their distance, with "
                  "all forces on it, weights and numbers [0]",
@@ -162,8 +165,9 @@ void add_camera_options(Options& options, PictureOptions& picture) {
       "instant [the time between two frames]",
       [&picture](const Text& text) { picture.average = parse_time("--average", text); });
   options.single(
-      "--rod-scale", "N", "force in N at which rods are drawn thickest [fits the run]",
-      [&picture](const Text& text) { picture.rod_scale = parse_positive("--rod-scale", text); });
+      "--rod-scale", "N",
+      "force in N at which rods are drawn thickest, 0: the largest of each picture [fits the run]",
+      [&picture](const Text& text) { picture.rod_scale = parse_time("--rod-scale", text); });
   options.single(
       "--view", "fit|X,Y,WIDTH|follow:NAME",
       "part of the world: all of the motion, centre and width in m, or around a body [fit]",

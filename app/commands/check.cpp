@@ -13,6 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/idle_options.h"
 #include "app/commands/statics_options.h"
+#include "app/output/table_text.h"
 #include "app/words/explanation.h"
 #include "core/model/scales.h"
 
@@ -104,18 +105,27 @@ nlohmann::ordered_json check_json(const Scene& scene, const Check& answer) {
 
 namespace {
 
+// Turning as far as it moves the body's sides: what is far below the rest is rounding.
+std::string acceleration_text(const Body& body, const Twist& a) {
+  const double all = size_of(body, a);
+  const double side = size_of(body, {Vec2::Zero(), 1.0});
+  return fmt::format("({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2", rounded(a.linear.x(), all),
+                     rounded(a.linear.y(), all),
+                     rounded(a.angular * side, all) == 0.0 ? 0.0 : a.angular);
+}
+
 // The virtual motion that proves that there is no equilibrium, of the cubes that take part.
 std::string certificate_text(const Scene& scene, const Check& answer) {
   std::string text =
       "no equilibrium exists: no force that Coulomb's law allows holds the weight along the "
       "virtual "
       "motion\n";
+  const System system = make_system(scene);
   for (std::size_t i = 0; i < answer.certificate.size(); ++i) {
     const Twist& a = answer.certificate[i];
     if (a.linear.isZero(0.0) && a.angular == 0.0) continue;
-    text +=
-        fmt::format("  {}: ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
-                    moving_name(scene, static_cast<int>(i)), a.linear.x(), a.linear.y(), a.angular);
+    text += fmt::format("  {}: {}\n", moving_name(scene, static_cast<int>(i)),
+                        acceleration_text(system.bodies[i], a));
   }
   return text;
 }
@@ -143,10 +153,9 @@ std::string fastest_text(const Scene& scene, const Check& answer) {
   for (std::size_t i = 1; i < answer.accelerations.size(); ++i) {
     if (severity(i) > severity(worst)) worst = i;
   }
-  const Twist& a = answer.accelerations[worst];
-  return fmt::format("largest acceleration: {} with ({:.6g}, {:.6g}) m/s^2 and {:.6g} rad/s^2\n",
-                     moving_name(scene, static_cast<int>(worst)), a.linear.x(), a.linear.y(),
-                     a.angular);
+  return fmt::format("largest acceleration: {} with {}\n",
+                     moving_name(scene, static_cast<int>(worst)),
+                     acceleration_text(system.bodies[worst], answer.accelerations[worst]));
 }
 
 std::string moving_at_start(const Scene& scene) {
@@ -168,6 +177,32 @@ std::string cause_text(const Scene& scene, const MotionSettings& motion) {
   return cause ? cause_sentence(still, *cause, Language::en) + "\n" : "";
 }
 
+std::string contacts_text(const Scene& scene, const Check& answer) {
+  if (answer.contacts.empty()) return "";
+  NameColumn on;
+  NameColumn from;
+  double farthest = 0.0;
+  double largest = 0.0;
+  for (const SceneCube& cube : scene.cubes)
+    farthest = std::max(farthest, cube.size.maxCoeff());
+  for (const ContactForce& contact : answer.contacts) {
+    on.include(contact.on);
+    from.include(contact.from);
+    farthest = std::max(farthest, contact.point.cwiseAbs().maxCoeff());
+    largest = std::max(largest, contact.force);
+  }
+  std::string text = fmt::format("\n{:<{}} {:<{}} {:>10} {:>10} {:>12} {:>12}\n", "on", on.width(),
+                                 "from", from.width(), "x / m", "y / m", "force / N", "along / N");
+  for (const ContactForce& contact : answer.contacts) {
+    text += fmt::format("{:<{}} {:<{}} {:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g}{}\n", contact.on,
+                        on.width(), contact.from, from.width(),
+                        rounded(contact.point.x(), farthest), rounded(contact.point.y(), farthest),
+                        rounded(contact.force, largest), rounded(contact.tangential, contact.force),
+                        contact.unique ? "" : "  not the only one possible");
+  }
+  return text;
+}
+
 // For people: the verdict, why, who accelerates most, and what presses where.
 std::string check_text(const Scene& scene, const MotionSettings& motion, const Check& answer) {
   std::string text = fmt::format("{}\n", to_string(answer.verdict));
@@ -177,36 +212,40 @@ std::string check_text(const Scene& scene, const MotionSettings& motion, const C
   if (answer.verdict == Verdict::moves)
     text += fmt::format("moving at the start: {}\n", moving_at_start(scene));
   text += friction_text(scene, answer);
-  if (!answer.contacts.empty()) {
-    text += fmt::format("\n{:<14} {:<14} {:>10} {:>10} {:>12} {:>12}\n", "on", "from", "x / m",
-                        "y / m", "force / N", "along / N");
-  }
-  for (const ContactForce& contact : answer.contacts) {
-    constexpr double rounding = 1e-12;
-    const bool pulls = std::abs(contact.tangential) > rounding * contact.force;
-    text += fmt::format("{:<14} {:<14} {:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g}{}\n", contact.on,
-                        contact.from, contact.point.x(), contact.point.y(), contact.force,
-                        pulls ? contact.tangential : 0.0,
-                        contact.unique ? "" : "  not the only one possible");
-  }
-  return text;
+  return text + contacts_text(scene, answer);
 }
 
 // Forces of rods and pins.
 std::string joints_text(const Check& answer) {
   std::string text;
+  NameColumn names;
+  double largest = 0.0;
+  for (const RodForce& rod : answer.rods) {
+    names.include(rod.name);
+    largest = std::max(largest, std::abs(rod.force));
+  }
+  for (const PinForce& pin : answer.pins) {
+    names.include(pin.name);
+    largest = std::max(largest, pin.force.norm());
+  }
   const auto add = [&](const std::string& name, const std::string& what, bool unique) {
-    text += fmt::format("{:<14} {}{}\n", name, what, unique ? "" : "  not the only one possible");
+    text += fmt::format("{:<{}} {}{}\n", name, names.width(), what,
+                        unique ? "" : "  not the only one possible");
   };
-  if (!answer.rods.empty()) text += fmt::format("\n{:<14} {:>12}\n", "rod", "force / N");
+  if (!answer.rods.empty())
+    text += fmt::format("\n{:<{}} {:>12}\n", "rod", names.width(), "force / N");
   for (const RodForce& rod : answer.rods) {
     const char* way = rod.force < 0.0 ? "pushes" : "pulls";
-    add(rod.name, fmt::format("{:>12.6g} {:<6}", rod.force + 0.0, way), rod.unique);
+    add(rod.name, fmt::format("{:>12.6g} {:<6}", rounded(rod.force, largest), way), rod.unique);
   }
   if (!answer.pins.empty())
-    text += fmt::format("\n{:<14} {:>12} {:>12}\n", "pin", "fx / N", "fy / N");
-  for (const PinForce& pin : answer.pins)
-    add(pin.name, fmt::format("{:>12.6g} {:>12.6g}", pin.force.x(), pin.force.y()), pin.unique);
+    text += fmt::format("\n{:<{}} {:>12} {:>12}\n", "pin", names.width(), "fx / N", "fy / N");
+  for (const PinForce& pin : answer.pins) {
+    add(pin.name,
+        fmt::format("{:>12.6g} {:>12.6g}", rounded(pin.force.x(), largest),
+                    rounded(pin.force.y(), largest)),
+        pin.unique);
+  }
   return text;
 }
 

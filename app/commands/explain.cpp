@@ -33,7 +33,7 @@ void require_picture(const std::string& name) {
     throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
 }
 
-void draw(const Scene& scene, const ExplainOptions& asked) {
+void draw(const Scene& scene, const ExplainOptions& asked, Notes& notes) {
   StillOptions options = asked.still;
   options.picture.fit = Fit::instant;
   options.why = asked.language;
@@ -41,8 +41,9 @@ void draw(const Scene& scene, const ExplainOptions& asked) {
   const StopSignal stop;
   Font font;
   const Still still = compose_still(scene, options, stop, font);
+  note_labels_left_out(still.labels_left_out, notes);
   if (const auto format = vector_format(lower_case(asked.output))) {
-    output.write(encode_vector_figure(still.page, *format, font, still.cells));
+    output.write(encode_vector_figure(still.page, *format, font, still.cells, still.texts));
   } else {
     output.write(encode_png(draw_still(still), still.origin, options.picture.encoder));
   }
@@ -60,7 +61,7 @@ ExitCode explain(const ExplainOptions& asked, const Options& options) {
   const Scene scene = read_scene(asked.scene);
   note_idle_solver(options, scene, notes);
   const Explanation explanation = explain(scene, asked.still.motion);
-  if (drawn) draw(scene, asked);
+  if (drawn) draw(scene, asked, notes);
   const std::vector<std::string> text = sentences(scene, explanation, asked.language);
   if (asked.json) {
     write_text("-", json_text(why_json(explanation, text), {true, false}));

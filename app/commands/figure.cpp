@@ -100,8 +100,10 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   const StopSignal stop;
   Font font;
   const Still still = compose_still(scene, still_options, stop, font);
-  if (still.labels_left_out > 0)
-    notes.add(fmt::format("{} labels have no room and are left out", still.labels_left_out));
+  note_labels_left_out(still.labels_left_out, notes);
+  // A strip has a title and a legend whatever its size.
+  if (!still_options.strip)
+    note_hud(still_options.picture, {still.page.width, still.page.height}, notes);
   if (still.legend_left_out > 0) {
     notes.add(
         fmt::format("{} entries of the legend have no room and are left out: take a larger "

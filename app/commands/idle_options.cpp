@@ -114,4 +114,17 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
     notes.add("the layer values shows nothing without forces, contact-forces, joints or weights");
 }
 
+void note_hud(const PictureOptions& picture, PixelSize size, Notes& notes) {
+  if (!picture.layers.has(Layer::hud) || picture.layers.has(Layer::instances)) return;
+  const HudParts hud =
+      hud_parts(make_style(picture.theme), frame_options(picture), size.width, size.height);
+  if (hud.foot) return;
+  notes.add(fmt::format("{} left out for want of room: take a larger --size or a smaller --scale",
+                        hud.head ? "the legend is" : "title and legend are"));
+}
+
+void note_labels_left_out(int labels, Notes& notes) {
+  if (labels > 0) notes.add(fmt::format("{} labels have no room and are left out", labels));
+}
+
 }  // namespace wuerfel

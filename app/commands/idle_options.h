@@ -39,6 +39,12 @@ void note_crowd(const Scene& scene, Layers layers, Notes& notes);
 /// The end of a scale of colours where colours tell nothing that has one.
 void note_idle_colors(const Options& options, ColorBy by, Notes& notes);
 
+/// Title and legend of pictures of this size that have no room for them.
+void note_hud(const PictureOptions& picture, PixelSize size, Notes& notes);
+
+/// Names and numbers of a picture for which there was no free place.
+void note_labels_left_out(int labels, Notes& notes);
+
 /// Picture options of layers that are not drawn.
 void note_idle_picture_options(const Options& options, Layers layers, Notes& notes);
 

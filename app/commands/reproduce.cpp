@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include <fmt/core.h>
@@ -91,9 +89,10 @@ void require_honest(const Made& picture, const StillOptions& made_with, const st
 }
 
 std::string report(const Comparison& comparison,
+                   const std::string& sentence,
                    const std::string& made_by,
                    const ReproduceOptions& options) {
-  if (!options.json) return describe(comparison) + "\n";
+  if (!options.json) return sentence + "\n";
   const nlohmann::ordered_json json{{"same", comparison.verdict != CompareVerdict::different},
                                     {"verdict", to_string(comparison.verdict)},
                                     {"made_by", made_by},
@@ -104,13 +103,11 @@ std::string report(const Comparison& comparison,
   return json.dump(2) + "\n";
 }
 
-/// The same text, or not: SVG files are equal to the byte.
-Comparison compare_texts(const std::string& expected, std::span<const std::uint8_t> actual) {
-  Comparison comparison;
-  const bool same =
-      std::ranges::equal(expected, actual, {}, [](char c) { return static_cast<std::uint8_t>(c); });
-  if (!same) comparison.verdict = CompareVerdict::different;
-  return comparison;
+/// The first line in which two texts differ, from 1 on; 0: they are equal to the byte, as SVG files are.
+long first_difference(std::string_view expected, std::string_view actual) {
+  if (expected == actual) return 0;
+  const auto at = std::ranges::mismatch(expected, actual).in1;
+  return 1 + std::count(expected.begin(), at, '\n');
 }
 
 /// The width on paper that an SVG file says it has; 0: none.
@@ -140,20 +137,24 @@ ExitCode reproduce(const ReproduceOptions& options) {
   Font font;
   const Still still = compose_still(scene, still_options, stop, font);
   Comparison comparison;
+  std::string sentence;
   if (picture.image) {
     const Image again = draw_still(still);
     if (!options.output.empty()) write_png(options.output, again, still.origin);
     comparison = compare_images(*picture.image, again, options.limits);
+    sentence = describe(comparison);
   } else {
     FigureTexts texts = still.texts;
     texts.width_mm = width_on_paper(picture.svg);
     const auto again =
         encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
-    if (!options.output.empty())
-      write_text(options.output, std::string(again.begin(), again.end()));
-    comparison = compare_texts(picture.svg, again);
+    const std::string text(again.begin(), again.end());
+    if (!options.output.empty()) write_text(options.output, text);
+    const long line = first_difference(picture.svg, text);
+    if (line > 0) comparison.verdict = CompareVerdict::different;
+    sentence = line > 0 ? fmt::format("different: first in line {}", line) : describe(comparison);
   }
-  write_text("-", report(comparison, made_by, options));
+  write_text("-", report(comparison, sentence, made_by, options));
   return comparison.verdict == CompareVerdict::different ? ExitCode::negative : ExitCode::fine;
 }
 

@@ -216,6 +216,8 @@ Answer answer(const RunOptions& asked,
     note_letters(scene, asked.picture.layers, notes);
     note_crowd(scene, asked.picture.layers, notes);
     note_idle_colors(options, color_by(asked.picture, scene.cubes.size()), notes);
+    // Small frames have neither by themselves.
+    if (options.given("--scale")) note_hud(suited.picture, suited.picture.size, notes);
   }
   return run({suited, scene, make_plan(suited, scene), since_start}, form, notes);
 }

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/argument.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/shipped_scenes.h"
 #include "app/output/statics.h"
 #include "core/scene/suggestion.h"
 
@@ -31,10 +34,17 @@ const MarginName* find_margin(const std::string& name) {
   return found == margin_names.end() ? nullptr : found;
 }
 
+// What is there, or looks like a path.
+bool names_scene(const std::string& text) {
+  std::error_code ignored;
+  return text.find_first_of("./") != std::string::npos || find_shipped_scene(text) != nullptr
+         || std::filesystem::exists(text, ignored);
+}
+
+// What begins with - is an option, or standard input.
 bool names_margins(const std::string& text) {
   const std::vector<std::string> parts = split_list(text);
-  return std::ranges::any_of(parts,
-                             [](const std::string& part) { return find_margin(part) != nullptr; });
+  return std::ranges::any_of(parts, find_margin) || !(text.starts_with('-') || names_scene(text));
 }
 
 MarginRequest parse_margins(const std::string& text) {

@@ -107,7 +107,7 @@ Action declare_sheet(Options& options) {
   options.required_text("-o,--output", "FILE.png", "the picture", asked->file);
   options.single("--strip", "CxR", "columns and rows [8x8]",
                  [asked](const std::string& text) { asked->choice.grid = parse_strip(text); });
-  options.single("--size", "WxH", "size in pixels [1600x1760]",
+  options.single("--size", "WxH", "size in pixels [1600x1760, lower where there are fewer cases]",
                  [asked](const std::string& text) { asked->choice.size = parse_pixel_size(text); });
   return [asked](const Stopwatch&) { return sheet(*asked); };
 }

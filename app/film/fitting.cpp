@@ -62,7 +62,7 @@ void fit_force_scale(PictureOptions& options, const ForceRange& range) {
       scale.metres_per_newton *= free_body_share;
       scale.longest *= free_body_share;
     }
-    if (scale.metres_per_newton > 0.0) options.force_scale = {scale.metres_per_newton, scale};
+    options.force_scale = {scale.metres_per_newton, scale};
   } else if (!options.force_scale->whole) {
     options.force_scale->whole = fixed_force_scale(options.force_scale->metres_per_newton, range);
   }
@@ -76,10 +76,15 @@ double typical_top(const ForceRange& loads) {
   return largest > not_much_more * ordinary ? ordinary : largest;
 }
 
+double fitted_velocity_scale(const MotionRange& range) {
+  if (!(range.fastest > 0.0)) return 0.0;
+  return longest_velocity_arrow * range.forces.typical_side() / range.fastest;
+}
+
 // Accelerations are compared with that of free fall.
-std::optional<double> fitted_acceleration_scale(const MotionRange& range) {
+double fitted_acceleration_scale(const MotionRange& range) {
   const double most = range.largest_acceleration;
-  if (!(most > 0.0)) return std::nullopt;
+  if (!(most > 0.0)) return 0.0;
   const double side = range.forces.typical_side();
   if (range.gravity > 0.0) return gravity_arrow * side / range.gravity;
   return longest_acceleration_arrow * side / most;
@@ -87,19 +92,18 @@ std::optional<double> fitted_acceleration_scale(const MotionRange& range) {
 
 }  // namespace
 
+// What does not occur has the scale 0, which pictures carry, too: another range would not fit it.
 PictureOptions fit_scales(PictureOptions options, const MotionRange& range) {
   const Layers layers = options.layers;
   if (draws_forces(layers)) fit_force_scale(options, range.forces);
-  if (layers.has(Layer::velocities) && !options.velocity_scale && range.fastest > 0.0)
-    options.velocity_scale = longest_velocity_arrow * range.forces.typical_side() / range.fastest;
+  if (layers.has(Layer::velocities) && !options.velocity_scale)
+    options.velocity_scale = fitted_velocity_scale(range);
   if (layers.has(Layer::accelerations) && !options.acceleration_scale)
     options.acceleration_scale = fitted_acceleration_scale(range);
-  if (layers.has(Layer::rod_forces) && !options.rod_scale && range.largest_rod > 0.0)
-    options.rod_scale = range.largest_rod;
-  if (!options.color_top && options.color_by == ColorBy::load && range.loads.largest() > 0.0)
+  if (layers.has(Layer::rod_forces) && !options.rod_scale) options.rod_scale = range.largest_rod;
+  if (!options.color_top && options.color_by == ColorBy::load)
     options.color_top = typical_top(range.loads);
-  if (!options.color_top && options.color_by == ColorBy::speed && range.fastest > 0.0)
-    options.color_top = range.fastest;
+  if (!options.color_top && options.color_by == ColorBy::speed) options.color_top = range.fastest;
   return options;
 }
 
@@ -120,7 +124,8 @@ int auto_height(const PictureOptions& scaled, const Recording& motion) {
   for (int k = 0; k < 8; ++k) {
     const Insets insets = frame_insets(style, frame, width, static_cast<int>(height));
     const double room = std::max(width - insets.left - insets.right, 0.25 * width);
-    height = std::clamp(room * size.y() / size.x() + insets.top + insets.bottom,
+    const double with_hud = height_for_hud(style, frame, width, static_cast<int>(height)) + 1.0;
+    height = std::clamp(std::max(room * size.y() / size.x() + insets.top + insets.bottom, with_hud),
                         least_auto_height * width, largest_auto_height * width);
   }
   return std::max(static_cast<int>(std::lround(height)), 16);
@@ -132,13 +137,13 @@ Legend legend_of(const PictureOptions& fitted, const MotionRange& range) {
   const double most = fitted.color_by == ColorBy::load    ? range.largest_load
                       : fitted.color_by == ColorBy::speed ? range.fastest
                                                           : 0.0;
-  if (fitted.color_top && most > *fitted.color_top * (1.0 + 1e-9))
-    legend.insert(LegendEntry::above);
+  const double top = fitted.color_top.value_or(0.0);
+  if (top > 0.0 && most > top * (1.0 + 1e-9)) legend.insert(LegendEntry::above);
   legend.insert(LegendEntry::contact);
   if (fitted.layers.has(Layer::accelerations) && range.gravity > 0.0
       && range.largest_acceleration > most_gravities * range.gravity)
     legend.insert(LegendEntry::cut);
-  if (!fitted.force_scale) return legend;
+  if (!fitted.force_scale || fitted.force_scale->metres_per_newton <= 0.0) return legend;
   const ForceScale& scale = *fitted.force_scale->whole;
   if (range.forces.cuts(scale)) legend.insert(LegendEntry::cut);
   if (scale.cuts(range.most_possible)) legend.insert(LegendEntry::beyond);

@@ -53,7 +53,8 @@ Layers drawn_layers(const PictureOptions& options, bool asked) {
 ForceScaleChoice parse_force_scale(std::string_view text) {
   const std::vector<double> numbers = parse_numbers("--force-scale", text);
   const bool positive = std::ranges::all_of(numbers, [](double v) { return v >= 0.0; });
-  if ((numbers.size() != 1 && numbers.size() != 3) || numbers[0] <= 0.0 || !positive) {
+  // Pictures without a force have the scale 0.
+  if (!positive || (numbers.size() != 3 && (numbers.size() != 1 || numbers[0] <= 0.0))) {
     throw UsageError(fmt::format(
         "--force-scale: '{}' is neither a length in m per N greater than 0, as 0.05, nor that with "
         "the longest arrow in m and the smallest force in N, as 0.05,2,0.1",
@@ -97,6 +98,7 @@ FrameOptions frame_options(const PictureOptions& fitted) {
   frame.coloring = {fitted.color_by.value_or(ColorBy::body), fitted.color_top.value_or(0.0)};
   frame.legend = fitted.legend.value_or(frame.legend);
   frame.explode = fitted.explode;
+  frame.head_lines = fitted.head_lines;
   frame.foot_lines = fitted.foot_lines;
   frame.interval = fitted.average.value_or(0.0);
   return frame;

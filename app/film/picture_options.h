@@ -45,6 +45,7 @@ struct PictureOptions {
   std::optional<Legend> legend;
   std::optional<double> average;  ///< s, that forces are averaged over; none: a film's interval
   Fit fit = Fit::motion;
+  int head_lines = 1;                      ///< of text below the title
   int foot_lines = 1;                      ///< of text at the foot
   double explode = 0.0;                    ///< bodies are so much farther apart than they are
   PngEncoder encoder = PngEncoder::isa_l;  ///< changes files, not pictures

@@ -1,6 +1,7 @@
 #include "app/film/reason.h"
 
 #include <algorithm>
+#include <span>
 
 #include "core/statics/carried.h"
 #include "core/time/shown_causes.h"
@@ -39,6 +40,18 @@ void mark_fixes(const Explanation& e, Language language, SnapshotReason& reason)
   }
 }
 
+// What the text names first, in words and as marks.
+void mark_causes(const Explanation& e, Language language, Snapshot& snapshot) {
+  constexpr std::size_t most_causes = 2;
+  snapshot.reason->headlines.clear();
+  for (const Cause& cause :
+       std::span(e.causes.causes).first(std::min(most_causes, e.causes.causes.size()))) {
+    SnapshotCause& shown = snapshot.causes.emplace_back(shown_cause(*e.still, cause));
+    if (cause.outside) shown.label = length_in(language, *cause.outside);
+    snapshot.reason->headlines.push_back(cause_sentence(*e.still, cause, language));
+  }
+}
+
 }  // namespace
 
 Layers reason_layers(const Explanation& e) {
@@ -54,13 +67,10 @@ void add_reason(const Scene& scene, const Explanation& e, Language language, Sna
   if (!e.still) return;
   if (e.check.verdict == Verdict::falls) {
     if (!e.causes.causes.empty()) {
-      const Cause& first = e.causes.causes.front();
-      snapshot.causes = {shown_cause(*e.still, first)};
-      if (first.outside) reason.outside = length_in(language, *first.outside);
-      reason.headlines = {cause_sentence(*e.still, first, language)};
+      mark_causes(e, language, snapshot);
     } else {
       snapshot.mechanism = shown_motion(*e.still, e.causes.certificate);
-      reason.headlines = {say_in(language, Phrase::no_part_alone)};
+      reason.headlines = mechanism_sentences(e, language);
     }
     mark_fixes(e, language, reason);
   } else if (e.weakest) {

@@ -10,7 +10,7 @@ namespace wuerfel {
 /// The layers that mark what an explanation says.
 Layers reason_layers(const Explanation& explanation);
 
-/// The first cause, or the mechanism where no part fails alone, and the smallest move and force that
+/// The first two causes, or the mechanism where no part fails alone, and the smallest move and force that
 /// mend it; of what stands its weakest cube. In words, and as marks of the snapshot.
 void add_reason(const Scene& scene,
                 const Explanation& explanation,

@@ -26,7 +26,7 @@ std::vector<SnapshotBox> cubes_of(const Snapshot& snapshot) {
 double mean_side(const std::vector<SnapshotBox>& cubes) {
   double sum = 0.0;
   for (const SnapshotBox& box : cubes)
-    sum += std::sqrt(box.size.x() * box.size.y());
+    sum += typical_side_of(box);
   return sum / static_cast<double>(cubes.size());
 }
 

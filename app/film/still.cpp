@@ -63,6 +63,8 @@ void mark_reason(const Scene& scene, StillOptions& options, Snapshot& extras) {
   for (const Layer layer : {Layer::causes, Layer::mechanism})
     if (reason_layers(explanation).has(layer)) options.picture.layers.insert(layer);
   add_reason(scene, explanation, *options.why, extras);
+  options.picture.head_lines =
+      std::max(1, static_cast<int>(std::ssize(extras.reason->headlines)) - 1);
   options.picture.foot_lines = std::max(1, static_cast<int>(std::ssize(extras.reason->advice)));
 }
 
@@ -214,6 +216,22 @@ void draw(const Filmed& filmed, StillOptions options, Font& font, Still& still) 
   }
 }
 
+/// Room for a legend of more rows than the first look had: of strips the second, of pictures the third.
+void fit_legend(const Filmed& filmed, StillOptions options, Font& font, Still& still) {
+  constexpr int most = 3;  // of a strip
+  int before = still.legend_left_out + 1;
+  while (options.strip && still.legend_left_out > 0 && still.legend_left_out < before
+         && options.legend_rows < most) {
+    before = still.legend_left_out;
+    ++options.legend_rows;
+    draw(filmed, options, font, still);
+  }
+  if (!options.strip && still.page.legend_rows > 2) {
+    options.picture.foot_lines = still.page.legend_rows;
+    draw(filmed, options, font, still);
+  }
+}
+
 }  // namespace
 
 Still compose_still(const Scene& scene,
@@ -238,10 +256,7 @@ Still compose_still(const Scene& scene,
 
   const Filmed filmed{scene, motion, instants, first, extras};
   draw(filmed, options, font, still);
-  if (options.strip && still.legend_left_out > 0) {
-    options.legend_rows = 2;
-    draw(filmed, options, font, still);
-  }
+  fit_legend(filmed, options, font, still);
   return still;
 }
 

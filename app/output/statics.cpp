@@ -1,5 +1,6 @@
 #include "app/output/statics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output/json_values.h"
+#include "app/output/table_text.h"
 
 namespace wuerfel {
 
@@ -43,11 +45,12 @@ std::string with_limit(double value, const char* unit) {
   return std::isfinite(value) ? fmt::format("{:.6g} {}", value + 0.0, unit) : "no limit";
 }
 
-std::string span(const LoadRange& range, const char* unit) {
+/// What is rounding beside `largest` is 0.
+std::string span(const LoadRange& range, const char* unit, double largest = 0.0) {
   if (is_empty(range)) return "-";
-  return fmt::format("{} .. {}",
-                     std::isfinite(range.low) ? fmt::format("{:.6g}", range.low + 0.0) : "no limit",
-                     with_limit(range.high, unit));
+  const double low = rounded(range.low, largest);
+  return fmt::format("{} .. {}", std::isfinite(low) ? fmt::format("{:.6g}", low + 0.0) : "no limit",
+                     with_limit(rounded(range.high, largest), unit));
 }
 
 std::string degrees(double angle) {
@@ -155,17 +158,27 @@ std::string margins_text(const StillScene& still,
 }
 
 std::string ranges_text(const StillScene& still, const ForceRanges& ranges) {
-  std::string text =
-      fmt::format("\nhyperstatic of degree {}\n\n{:<14} {:<14} {:>12} {:>24} {:>12} {:>24}\n",
-                  ranges.degree, "on", "from", "force / N", "possible", "center / m", "possible");
+  NameColumn on;
+  NameColumn from;
+  double largest = 0.0;
   for (const Interface& face : ranges.interfaces) {
+    on.include(still.system.body(face.on).name);
+    from.include(still.system.body(face.from).name);
+    largest = std::max(largest, std::abs(face.force));
+  }
+  std::string text = fmt::format(
+      "\nhyperstatic of degree {}\n\n{:<{}} {:<{}} {:>12} {:>24} {:>12} {:>24}\n", ranges.degree,
+      "on", on.width(), "from", from.width(), "force / N", "possible", "center / m", "possible");
+  for (const Interface& face : ranges.interfaces) {
+    const double size = face.middle.norm() + face.length;
     const std::string center =
-        face.center ? fmt::format("{:.4g}", perp(face.normal).dot(*face.center - face.middle) + 0.0)
+        face.center ? fmt::format("{:.4g}",
+                                  rounded(perp(face.normal).dot(*face.center - face.middle), size))
                     : "-";
-    text +=
-        fmt::format("{:<14} {:<14} {:>12.6g} {:>24} {:>12} {:>24}\n",
-                    still.system.body(face.on).name, still.system.body(face.from).name, face.force,
-                    span(face.force_range, "N"), center, span(face.center_range, "m"));
+    text += fmt::format(
+        "{:<{}} {:<{}} {:>12.6g} {:>24} {:>12} {:>24}\n", still.system.body(face.on).name,
+        on.width(), still.system.body(face.from).name, from.width(), rounded(face.force, largest),
+        span(face.force_range, "N", largest), center, span(face.center_range, "m", size));
   }
   return text;
 }

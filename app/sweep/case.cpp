@@ -86,7 +86,10 @@ class LineReader {
 }  // namespace
 
 Scene scene_of(const Sweep& sweep, const std::vector<std::string>& values) {
-  return parse(sweep.scene, overrides_of(sweep, values));
+  std::vector<std::string> origins;
+  for (const Variable& variable : sweep.variables)
+    origins.insert(origins.end(), variable.keys.size(), variable.origin);
+  return parse_scene(sweep.scene.text, sweep.scene.name, overrides_of(sweep, values), origins);
 }
 
 std::string case_id(const Sweep& sweep, const Scene& scene) {

@@ -1,5 +1,7 @@
 #include "app/sweep/sheet.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "app/film/origin.h"
@@ -47,20 +49,30 @@ std::vector<Case> spread_cases(const Plan& plan, long wanted) {
   return cases;
 }
 
+StripLayout sheet_layout(const SheetChoice& choice, std::size_t cases) {
+  const auto [width, height] = choice.size.value_or(PixelSize{1600, 1760});
+  StripLayout layout = strip_layout(choice.grid, width, height, 1.0);
+  const std::size_t columns = choice.grid.columns;
+  const std::size_t filled = (cases + columns - 1) / columns * columns;
+  if (!choice.size) layout.height = std::min(layout.height, cell_place(layout, filled).y);
+  return layout;
+}
+
 }  // namespace
 
 Still contact_sheet(const Plan& plan,
                     const SheetChoice& choice,
                     const StopSignal& stop,
                     Font& font) {
-  const StripLayout layout = strip_layout(choice.grid, choice.size.width, choice.size.height, 1.0);
+  const auto cells = static_cast<long>(choice.grid.columns) * choice.grid.rows;
+  const std::vector<Case> cases = spread_cases(plan, cells);
+  const StripLayout layout = sheet_layout(choice, cases.size());
   PictureOptions options = picture_options(plan.sweep().files);
   options.size = {layout.cell_width, layout.cell_height};
-  const auto cells = static_cast<long>(choice.grid.columns) * choice.grid.rows;
   Still sheet;
   sheet.origin = {{software_key, "wuerfel " WUERFEL_VERSION}, {"Sweep plan", plan.hash()}};
   std::vector<std::string> captions;
-  for (const Case& one : spread_cases(plan, cells)) {
+  for (const Case& one : cases) {
     stop.check();
     const Scene scene = scene_of(plan.sweep(), one.values);
     const CellPlace place = cell_place(layout, captions.size());

@@ -29,6 +29,7 @@ struct Variable {
   std::string key;                ///< as in --set, or with * where all take the same value
   std::vector<std::string> keys;  ///< those that are set
   Distribution distribution;
+  std::string origin;  ///< where it was written, as messages name it
 };
 
 /// Cases that are drawn again.

@@ -103,11 +103,17 @@ class SweepReader {
     if (is_grid() && all_values(distribution).empty())
       fail(source_, vary.origin, "key", "a grid needs a list here: values, choice or integers");
     if (together) {
-      add({vary.key, keys, distribution}, vary);
+      add({vary.key, keys, distribution, origin_of(vary)}, vary);
       return;
     }
     for (const std::string& key : keys)
-      add({key, {key}, distribution}, vary);
+      add({key, {key}, distribution, origin_of(vary)}, vary);
+  }
+
+  [[nodiscard]] std::string origin_of(const VaryEntry& vary) const {
+    const int line = vary.origin.table->place.line;
+    const std::string file = line > 0 ? fmt::format("{}:{}", source_.name, line) : source_.name;
+    return fmt::format("{}: {}", file, vary.origin.path);
   }
 
   void add(Variable variable, const VaryEntry& vary) {

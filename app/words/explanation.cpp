@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace wuerfel {
 
@@ -159,9 +160,7 @@ void tell_causes(const StillScene& still,
 void tell_fall(const Explanation& e, Language language, std::vector<std::string>& text) {
   const StillScene& still = *e.still;
   tell_causes(still, e.causes, language, text);
-  if (!e.causes.mechanism.empty()) text.push_back(say_in(language, Phrase::no_part_alone));
-  for (std::size_t k = 0; k < std::min(most_told, e.causes.mechanism.size()); ++k)
-    text.push_back(moving_part_sentence(still, e.causes.mechanism[k], language));
+  std::ranges::move(mechanism_sentences(e, language), std::back_inserter(text));
   for (const Fix& fix : e.fixes)
     text.push_back(fix_sentence(still, fix, language));
   const bool only_drops = std::ranges::all_of(
@@ -218,6 +217,14 @@ void tell_motion(const std::vector<std::string>& names,
 }
 
 }  // namespace
+
+std::vector<std::string> mechanism_sentences(const Explanation& e, Language language) {
+  std::vector<std::string> text;
+  if (!e.causes.mechanism.empty()) text.push_back(say_in(language, Phrase::no_part_alone));
+  for (std::size_t k = 0; k < std::min(most_told, e.causes.mechanism.size()); ++k)
+    text.push_back(moving_part_sentence(*e.still, e.causes.mechanism[k], language));
+  return text;
+}
 
 std::string cause_sentence(const StillScene& still, const Cause& cause, Language language) {
   const std::string part = part_name(still, cause.part.cubes, cause.base, language);

@@ -28,6 +28,8 @@ std::vector<std::string> sentences(const Scene& scene,
                                    const Explanation& explanation,
                                    Language language);
 
+/// How all moves together where no part fails alone.
+std::vector<std::string> mechanism_sentences(const Explanation& explanation, Language language);
 /// One cause, and one fix, in a sentence.
 std::string cause_sentence(const StillScene& still, const Cause& cause, Language language);
 std::string fix_sentence(const StillScene& still, const Fix& fix, Language language);

@@ -12,8 +12,9 @@ namespace wuerfel {
 
 Scene parse_scene(std::string_view text,
                   const std::string& name,
-                  const std::vector<std::string>& overrides) {
-  const SceneSource source{name, overrides};
+                  const std::vector<std::string>& overrides,
+                  const std::vector<std::string>& origins) {
+  const SceneSource source{name, overrides, origins};
   const SceneLanguage language = language_of(text, name);
   check_text(text, language, source);
   Value document =

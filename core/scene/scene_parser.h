@@ -30,11 +30,12 @@ class OverlapError : public SceneError {
 /// Reads a scene from text. JSON if the first character that is not white space is '{' (or `name`
 /// ends in ".json"), else TOML. `name` stands for the file in messages; `overrides` are "KEY=VALUE"
 /// texts as in `--set cube.a.angle=0.1`, applied in their order before anything is checked (see
-/// override.h for the forms of KEY). The result has every generator and placement resolved and
+/// override.h for the forms of KEY); `origins` say where each was written, if not there. The result has every generator and placement resolved and
 /// nothing that overlaps. Throws SceneError.
 Scene parse_scene(std::string_view text,
                   const std::string& name,
-                  const std::vector<std::string>& overrides = {});
+                  const std::vector<std::string>& overrides = {},
+                  const std::vector<std::string>& origins = {});
 
 /// The scene written back as JSON of the contract, on one line: every number with the fewest digits
 /// that bring back the same double, keys in a fixed order, friction and restitution of a body only

@@ -61,7 +61,8 @@ void SceneSource::fail(const Place& place,
                        const std::string& message) const {
   std::string where = name;
   if (place.override_at >= 0) {
-    where = "--set " + overrides[place.override_at];
+    const std::string origin = origins.empty() ? "--set " : origins[place.override_at] + ": ";
+    where = origin + overrides[place.override_at];
   } else if (place.line > 0) {
     where += fmt::format(":{}:{}", place.line, place.column);
   }

@@ -52,9 +52,10 @@ std::string describe_value(const Value& value);
 struct SceneSource {
   std::string name;
   std::vector<std::string> overrides;
+  std::vector<std::string> origins{};  ///< of the overrides; empty: the command line
 
   /// Throws SceneError "NAME:LINE:COLUMN: PATH: MESSAGE", without what is not known; "--set
-  /// OVERRIDE: ..." where the place is in an override. One line: control characters that are quoted
+  /// OVERRIDE: ...", or "ORIGIN: OVERRIDE: ...", where the place is in an override. One line: control characters that are quoted
   /// come as \x0a.
   [[noreturn]] void fail(const Place& place,
                          const std::string& path,

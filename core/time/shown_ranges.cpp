@@ -53,7 +53,8 @@ std::vector<ForceRanges> RangeFinder::at(const System& system,
 
 std::optional<SnapshotRange> shown_range(const LoadRange& range) {
   constexpr double width = 1e-9;  // as a share of the force: rounding
-  if (is_empty(range) || range.high - range.low <= width * range.high) return std::nullopt;
+  // Not by the difference, which is infinite where there is no most.
+  if (is_empty(range) || range.low >= (1.0 - width) * range.high) return std::nullopt;
   return SnapshotRange{range.low, range.high};
 }
 

@@ -9,15 +9,14 @@ namespace wuerfel::internal {
 namespace {
 
 constexpr double normal_length = 26.0;  ///< px of a 1280x720 picture
-constexpr double shortest_arrow = 3.0;  ///< px; what is shorter says nothing
 constexpr double hollow_rim = 1.25;     ///< px, of the outline of a hollow arrow
 constexpr double hollow_width = 5.0;    ///< px, of its shaft
 constexpr double hollow_head = 1.2;     ///< times the width of a filled one's head
 constexpr double break_at = 0.3;        ///< of a cut arrow's shaft, from its tail
 constexpr double break_gap = 5.0;       ///< px between the strokes of a break
 constexpr double break_reach = 5.5;     ///< px that they reach to each side
-constexpr double two_heads = 24.0;      ///< px, beside each other
-constexpr double center_dot = 2.6;      ///< px, where velocities start
+constexpr float longest_head = 1.35F;   ///< of all forms, of a filled one's: two open ones
+constexpr float widest_head = 1.25F;    ///< half a head
 
 /// A place on an arrow: `along` px from its tail, `across` to its left as seen on the screen.
 class Frame {
@@ -141,75 +140,6 @@ void paint(const FrameParts& parts, const PendingArrow& arrow, const ArrowShape&
   }
 }
 
-/// From a dot, so that it is seen where it belongs to.
-void add_vector(const FrameParts& parts,
-                const Vec2& from,
-                const Vec2& vector,
-                ArrowForm form,
-                Color color,
-                std::vector<PendingArrow>& arrows,
-                double dot = 0.0) {
-  const Vec2 tip = from + vector;
-  if (vector.norm() * parts.view.pixels_per_metre < shortest_arrow * parts.unit) return;
-  arrows.push_back(
-      {styled_arrow(parts, parts.pixel(from), parts.pixel(tip), color), form, false, 0.0, dot});
-}
-
-void add_velocities(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
-  const auto add = [&](const Vec2& place, const Vec2& velocity) {
-    add_vector(parts, place, parts.options.metres_per_speed * velocity, ArrowForm::open,
-               parts.style.velocity, arrows, center_dot);
-  };
-  if (shows_symbols(parts)) {
-    for (const SnapshotContact& contact : parts.snapshot.contacts) {
-      add(contact.p_i, contact.v_i);
-      add(contact.p_j, contact.v_j);
-      add(contact.p_k, contact.v_k);
-    }
-    return;
-  }
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    add(box.center, box.velocity);
-  }
-}
-
-/// From the centre to the corners; of a thin body to the middles of its ends, of a small one none: heads would lie on
-/// one another.
-std::vector<Vec2> corners_apart(const FrameParts& parts, const SnapshotBox& box) {
-  const auto half = [&](double size) {
-    return size * parts.view.pixels_per_metre < two_heads * parts.unit ? 0.0 : 0.5 * size;
-  };
-  const Vec2 along = half(box.size.x()) * Vec2(std::cos(box.angle), std::sin(box.angle));
-  const Vec2 across = half(box.size.y()) * Vec2(-std::sin(box.angle), std::cos(box.angle));
-  std::vector<Vec2> places;
-  for (const Vec2& r :
-       {Vec2(-along - across), Vec2(along - across), Vec2(along + across), Vec2(across - along)})
-    if (!r.isZero(0.0) && std::ranges::find(places, r) == places.end()) places.push_back(r);
-  return places;
-}
-
-/// Of the centre, and of the corners where the body turns: a + alpha r^perp - omega^2 r.
-void add_accelerations(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
-  const double scale = parts.options.metres_per_acceleration;
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    if (box.fixed) continue;
-    const auto add = [&](const Vec2& from, const Vec2& acceleration) {
-      const Vec2 shown = shown_acceleration(acceleration, parts.snapshot.gravity);
-      const std::size_t before = arrows.size();
-      add_vector(parts, from, scale * shown, ArrowForm::twice, parts.style.acceleration, arrows);
-      if (arrows.size() > before) arrows.back().cut = shown != acceleration;
-    };
-    add(box.center, box.acceleration);
-    const double turning =
-        (std::abs(box.angular_acceleration) + box.spin * box.spin) * 0.5 * box.size.norm();
-    if (turning * scale * parts.view.pixels_per_metre < shortest_arrow * parts.unit) continue;
-    for (const Vec2& r : corners_apart(parts, box)) {
-      add(box.center + r,
-          box.acceleration + box.angular_acceleration * perp(r) - box.spin * box.spin * r);
-    }
-  }
-}
-
 }  // namespace
 
 ArrowShape styled_arrow(const FrameParts& parts, Pixel tail, Pixel tip, Color color) {
@@ -269,8 +199,7 @@ void add_normals(const FrameParts& parts) {
 
 std::vector<PendingArrow> add_arrows(const FrameParts& parts) {
   std::vector<PendingArrow> arrows;
-  if (parts.has(Layer::accelerations)) add_accelerations(parts, arrows);
-  if (parts.has(Layer::velocities)) add_velocities(parts, arrows);
+  add_motion_arrows(parts, arrows);
   if (parts.options.force_scale.metres_per_newton > 0.0) {
     if (parts.has(Layer::weights)) add_weights(parts, arrows);
     if (parts.has(Layer::contact_forces)) add_contact_arrows(parts, arrows);
@@ -280,9 +209,12 @@ std::vector<PendingArrow> add_arrows(const FrameParts& parts) {
   for (const PendingArrow& arrow : arrows) {
     const ArrowShape& shape = arrow.shape;
     const Frame frame(shape);
-    const Pixel neck = frame.at(std::max(frame.length() - shape.head_length, 0.0F), 0.0F);
+    // Strokes are as wide beyond their ends.
+    const float head = widest_head * shape.head_half_width;
+    const float start = frame.length() - longest_head * shape.head_length + head;
+    const Pixel neck = frame.at(std::clamp(start, 0.0F, frame.length()), 0.0F);
     parts.labels.keep_off(shape.tail, neck, static_cast<double>(shape.half_width));
-    parts.labels.keep_off(neck, shape.tip, static_cast<double>(shape.head_half_width));
+    parts.labels.keep_off(neck, shape.tip, static_cast<double>(head));
   }
   return arrows;
 }

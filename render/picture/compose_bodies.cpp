@@ -11,6 +11,7 @@
 namespace wuerfel::internal {
 namespace {
 
+constexpr double thinnest_body = 1.8;  ///< px: less would be pale
 constexpr double thickest_rod = 7.0;
 constexpr double thinnest_rod = 1.2;
 constexpr double largest_mass_radius = 11.0;
@@ -31,6 +32,8 @@ namespace {
 
 BoxShape painted_box(const FrameParts& parts, const SnapshotBox& box, int body) {
   BoxShape shape = box_shape(parts.view, box);
+  const auto least = static_cast<float>(0.5 * thinnest_body * parts.unit);
+  shape.half_size = {std::max(shape.half_size.x, least), std::max(shape.half_size.y, least)};
   const float smaller = std::min(shape.half_size.x, shape.half_size.y);
   shape.fill = parts.colors[body];
   // Coloured rods want quiet bodies.

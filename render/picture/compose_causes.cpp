@@ -19,9 +19,8 @@ constexpr double corner_radius = 5.5;
 constexpr double lever_width = 5.0;
 constexpr double plumb_width = 2.0;
 
-std::string lever_label(const FrameParts& parts, const SnapshotCause& cause) {
-  if (parts.snapshot.reason) return parts.snapshot.reason->outside;
-  return with_prefix(cause.outside, "m", 3);
+std::string lever_label(const SnapshotCause& cause) {
+  return cause.label.empty() ? with_prefix(cause.outside, "m", 3) : cause.label;
 }
 
 /// From its centre to the ground beside the corner that does not carry it.
@@ -32,11 +31,28 @@ void add_lever(const FrameParts& parts, const SnapshotCause& cause) {
   add_disc(parts, *cause.corner, corner_radius, color, color);
 }
 
-void add_part(const FrameParts& parts, const SnapshotCause& cause) {
+/// No label lies on the outline of a box.
+void keep_off_sides(const FrameParts& parts, const SnapshotBox& box, double width) {
+  const std::array<Vec2, 4> corner = corners(box);
+  for (std::size_t k = 0; k < corner.size(); ++k) {
+    parts.labels.keep_off(parts.pixel(corner.at(k)),
+                          parts.pixel(corner.at((k + 1) % corner.size())),
+                          0.5 * width * parts.unit * parts.fineness);
+  }
+}
+
+void add_outlines(const FrameParts& parts, const SnapshotCause& cause) {
   const Color color = parts.style.cause;
-  for (const int box : cause.part)
+  for (const int box : cause.part) {
     frame_box(parts, parts.snapshot.boxes[box], part_outline, color, with_alpha(color, 0.0));
+    keep_off_sides(parts, parts.snapshot.boxes[box], part_outline);
+  }
+}
+
+/// Its centre of mass, its weight, and the lever that turns it.
+void add_marks(const FrameParts& parts, const SnapshotCause& cause) {
   if (!cause.centre) return;
+  const Color color = parts.style.cause;
   if (cause.corner) add_lever(parts, cause);
   const ArrowShape weight = arrow_from(parts, *cause.centre, parts.snapshot.gravity,
                                        mark_arrow_length * parts.unit, color);
@@ -58,10 +74,12 @@ void add_moved(const FrameParts& parts, const SnapshotBox& box) {
 
 void add_causes(const FrameParts& parts) {
   for (const SnapshotCause& cause : parts.snapshot.causes)
-    add_part(parts, cause);
+    add_outlines(parts, cause);
+  for (const SnapshotCause& cause : parts.snapshot.causes)
+    add_marks(parts, cause);
   for (const SnapshotCause& cause : parts.snapshot.causes) {
     if (!cause.corner) continue;
-    add_label(parts, lever_label(parts, cause), parts.pixel(0.5 * (*cause.corner + cause.beside)),
+    add_label(parts, lever_label(cause), parts.pixel(0.5 * (*cause.corner + cause.beside)),
               parts.style.cause);
   }
 }

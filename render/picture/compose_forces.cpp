@@ -1,14 +1,10 @@
 // Forces: what bodies do to each other at the faces by which they touch; the same corner by corner;
 // weights; pressure, impacts.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
-#include <string>
 #include <vector>
 
 #include "render/picture/frame_parts.h"
-#include "render/picture/units.h"
 
 namespace wuerfel::internal {
 namespace {
@@ -19,43 +15,8 @@ constexpr double deepest = 0.45;        ///< m of pressure per m of typical arro
 constexpr double readable_cut_arrow = 24.0;  ///< px, for a head and the sign of the cut
 constexpr double least_impact = 0.05;        ///< of a typical impulse, that has a ring
 constexpr double least_of_crowd = 1.0;       ///< likewise: more rings than bodies hide them
-constexpr int digits = 3;                    ///< of numbers beside arrows
 
 Color joint_color(const FrameParts& parts) { return parts.style.contact; }
-
-/// A number at an arrow: behind its tail, right or left of its middle or of its tail. Tails of weights
-/// are centres, and what stands behind them would seem to belong to the body.
-void label_arrow(const FrameParts& parts, const PendingArrow& pending) {
-  const ArrowShape& arrow = pending.shape;
-  TextShape text;
-  // A hair more, so that equal forces are rounded alike: 4.905 N is half-way between two numbers.
-  text.text = with_prefix(pending.newton * (1.0 + 1e-9), "N", digits, Zeros::kept);
-  text.size = static_cast<float>(0.86 * parts.style.text_size * parts.unit);
-  text.color = arrow.color;
-  text.halo = parts.style.halo;
-  text.halo_width = static_cast<float>(2.0 * parts.unit);
-  const auto width =
-      static_cast<float>(parts.font.width(text.text, static_cast<double>(text.size)));
-  const float gap =
-      parts.weight(parts.style.arrow_head_width) * 0.5F + static_cast<float>(4.0 * parts.unit);
-  const float down = 0.36F * text.size;
-  const float middle = 0.5F * (arrow.tail.y + arrow.tip.y) + down;
-  const float tail = arrow.tail.y + down;
-  const float mean = 0.5F * (arrow.tail.x + arrow.tip.x);
-  const float length = std::hypot(arrow.tip.x - arrow.tail.x, arrow.tip.y - arrow.tail.y);
-  const Pixel back{(arrow.tail.x - arrow.tip.x) / length, (arrow.tail.y - arrow.tip.y) / length};
-  const float away = static_cast<float>(5.0 * parts.unit) + 0.5F * std::abs(back.x) * width
-                     + 0.48F * std::abs(back.y) * text.size;
-  const Pixel behind{arrow.tail.x + away * back.x - 0.5F * width, tail + away * back.y};
-  const std::array<Pixel, 5> places{{behind,
-                                     {mean + gap, middle},
-                                     {mean - gap - width, middle},
-                                     {arrow.tail.x + gap, tail},
-                                     {arrow.tail.x - gap - width, tail}}};
-  const std::span<const Pixel> wanted(places);
-  parts.labels.place(std::move(text), pending.dot > 0.0 ? wanted.subspan(1) : wanted, parts.font,
-                     parts.list);
-}
 
 bool contains(const SnapshotBox& box, const Vec2& place) {
   const Vec2 along(std::cos(box.angle), std::sin(box.angle));
@@ -233,7 +194,7 @@ void add_impacts(const FrameParts& parts) {
   for (const SnapshotBox& box : parts.snapshot.boxes) {
     if (box.fixed) continue;
     mass += box.mass;
-    side += std::sqrt(box.size.x() * box.size.y());
+    side += typical_side_of(box);
     ++count;
   }
   const double gravity = parts.snapshot.gravity.norm();
@@ -249,22 +210,6 @@ void add_impacts(const FrameParts& parts) {
     ring.outline = with_alpha(parts.style.contact, 0.9 * (1.0 - impact.age));
     parts.list.add(ring);
   }
-}
-
-void add_joint_values(const FrameParts& parts) {
-  const ForceScale& scale = parts.options.force_scale;
-  for (const SnapshotJoint& joint : parts.snapshot.joints) {
-    const JointArrow arrow = joint_arrow(parts.snapshot, joint, scale);
-    if (!(arrow.length() > 0.0)) continue;
-    const ArrowShape shape =
-        styled_arrow(parts, parts.pixel(arrow.tail), parts.pixel(arrow.tip), joint_color(parts));
-    label_arrow(parts, {shape, ArrowForm::filled, false, joint.force.norm()});
-  }
-}
-
-void add_values(const FrameParts& parts, const std::vector<PendingArrow>& arrows) {
-  for (const PendingArrow& arrow : arrows)
-    if (arrow.newton > 0.0) label_arrow(parts, arrow);
 }
 
 }  // namespace wuerfel::internal

@@ -23,7 +23,7 @@ double fineness(const Snapshot& snapshot, const View& view, double unit) {
   int count = 0;
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
-    sum += std::sqrt(box.size.x() * box.size.y());
+    sum += typical_side_of(box);
     ++count;
   }
   if (count == 0) return 1.0;
@@ -74,13 +74,17 @@ DrawList instances(const Snapshot& snapshot, const View& view) {
   return list;
 }
 
-double head_height(const Style& style, double unit) {
-  return (40.0 + style.title_size + style.text_size) * unit;
+double head_height(const Style& style, int lines, double unit) {
+  return (40.0 + style.title_size + style.text_size + (lines - 1) * line_height * style.text_size)
+         * unit;
 }
 
-double foot_height(const Style& style, const FrameOptions& options, double unit) {
-  return (44.0 + style.text_size + (options.foot_lines - 1) * line_height * style.text_size) * unit;
+double foot_height(const Style& style, int lines, double unit) {
+  return (44.0 + style.text_size + (lines - 1) * line_height * style.text_size) * unit;
 }
+
+/// Of a picture's height, that the HUD may take: more where larger text was asked for.
+double hud_share(const FrameOptions& options) { return options.scale > 1.0 ? 0.6 : 0.4; }
 
 /// What is drawn of bodies that are apart already: their forces act on each by itself.
 FrameOptions cut_free(const FrameOptions& options) {
@@ -149,9 +153,10 @@ constexpr Part above_arrows[] = {
     {"normals", internal::add_normals, has<Layer::normals>},
     {"contacts", internal::add_contacts, has<Layer::contacts>},
     {"points", internal::add_points, has<Layer::points>},
-    {"fixes", internal::add_fixes, has_fixes},
+    {"moves", internal::add_moved_boxes, has_fixes},
     {"mechanism", internal::add_mechanism, has<Layer::mechanism>},
     {"causes", internal::add_causes, has<Layer::causes>},
+    {"fixes", internal::add_fixes, has_fixes},
     {"words", internal::add_reason_text, has_reason_text},
     {"hud", internal::add_hud, has_hud},
 };
@@ -170,11 +175,16 @@ void add(std::span<const Part> all, const internal::FrameParts& parts) {
 
 HudParts hud_parts(const Style& style, const FrameOptions& options, int width, int height) {
   if (!options.layers.has(Layer::hud)) return {};
-  constexpr double share = 0.4;
   const double unit = frame_unit(width, height, options.scale);
-  const double room = share * height;
-  const bool foot = head_height(style, unit) + foot_height(style, options, unit) <= room;
-  return {head_height(style, unit) <= room, foot};
+  const double room = hud_share(options) * height;
+  return {head_height(style, 1, unit) <= room,
+          height_for_hud(style, options, width, height) <= height};
+}
+
+double height_for_hud(const Style& style, const FrameOptions& options, int width, int height) {
+  if (!options.layers.has(Layer::hud)) return 0.0;
+  const double unit = frame_unit(width, height, options.scale);
+  return (head_height(style, 1, unit) + foot_height(style, 1, unit)) / hud_share(options);
 }
 
 Insets frame_insets(const Style& style, const FrameOptions& options, int width, int height) {
@@ -183,9 +193,9 @@ Insets frame_insets(const Style& style, const FrameOptions& options, int width, 
   const HudParts hud = hud_parts(style, options, width, height);
   const bool bar =
       hud.head && (options.coloring.by == ColorBy::load || options.coloring.by == ColorBy::speed);
-  return {margin, hud.head ? head_height(style, unit) : margin,
+  return {margin, hud.head ? head_height(style, options.head_lines, unit) : margin,
           bar ? (color_bar_width + 30.0) * unit : margin,
-          hud.foot ? foot_height(style, options, unit) : margin};
+          hud.foot ? foot_height(style, options.foot_lines, unit) : margin};
 }
 
 DrawList compose_frame(const Snapshot& snapshot,

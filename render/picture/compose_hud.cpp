@@ -173,12 +173,15 @@ LegendRow measured_legend(const FrameParts& parts, double share) {
   return row;
 }
 
-/// Of the picture's width: the least at which two rows hold what they can.
+/// Of the picture's width: the least at which no more rows hold as much.
 double legend_share(const FrameParts& parts) {
   const LegendRow widest = measured_legend(parts, 1.0);
   if (widest.rows() == 1) return 1.0;
   double share = 0.5;
-  while (share < 1.0 && measured_legend(parts, share).left_out() > widest.left_out())
+  const auto holds_less = [&](const LegendRow& row) {
+    return row.left_out() > widest.left_out() || row.rows() > widest.rows();
+  };
+  while (share < 1.0 && holds_less(measured_legend(parts, share)))
     share += 0.05;
   return std::min(share, 1.0);
 }
@@ -199,6 +202,7 @@ void add_legend(const FrameParts& parts) {
   LegendRow row(parts, LegendRow::Pass::painting, share, measured.rows());
   add_entries(parts, row);
   parts.list.legend_left_out += row.left_out();
+  parts.list.legend_rows = row.rows();
 }
 
 }  // namespace wuerfel::internal

@@ -27,11 +27,6 @@ Pixel add_fix(const FrameParts& parts,
     arrows.push_back({arrow_from(parts, tail, fix.force, length, color)});
     return arrows.back().shape.tail;
   }
-  for (const int number : fix.moved) {
-    SnapshotBox box = parts.snapshot.boxes[number];
-    box.center += fix.way;
-    frame_box(parts, box, ghost_outline, color, with_alpha(color, ghost_fill));
-  }
   const double length =
       std::max(fix.way.norm() * parts.view.pixels_per_metre, least_way * parts.unit);
   arrows.push_back({arrow_from(parts, fix.point, fix.way, length, color)});
@@ -59,6 +54,17 @@ void add_lines(const FrameParts& parts,
 }
 
 }  // namespace
+
+void add_moved_boxes(const FrameParts& parts) {
+  const Color color = helping(parts);
+  for (const SnapshotReason::Fix& fix : parts.snapshot.reason->fixes) {
+    for (const int number : fix.moved) {
+      SnapshotBox box = parts.snapshot.boxes[number];
+      box.center += fix.way;
+      frame_box(parts, box, ghost_outline, color, with_alpha(color, ghost_fill));
+    }
+  }
+}
 
 void add_fixes(const FrameParts& parts) {
   const std::vector<SnapshotReason::Fix>& fixes = parts.snapshot.reason->fixes;

@@ -85,7 +85,8 @@ Whisker whisker_of(const FrameParts& parts, const SnapshotJoint& joint) {
     of.force = newton * joint.normal;
     return joint_arrow(parts.snapshot, of, parts.options.force_scale);
   };
-  const JointArrow most = arrow(std::min(joint.range->most, 1e300));
+  constexpr double endless = 1e150;  // N, whose square is a number
+  const JointArrow most = arrow(std::min(joint.range->most, endless));
   return moved_beside(
       parts, joint.normal,
       {parts.pixel(arrow(joint.range->least).tail), parts.pixel(most.tail), most.cut});

@@ -128,6 +128,7 @@ struct DrawList {
   std::vector<TextShape> texts;
   int labels_left_out = 0;  ///< for want of a free place
   int legend_left_out = 0;  ///< entries that the legend has no room for
+  int legend_rows = 0;
 
   /// Equal lists are equal pictures.
   friend bool operator==(const DrawList&, const DrawList&) = default;

@@ -54,6 +54,11 @@ double round_down_125(double value) {
   return mantissa >= 2.0 ? 2.0 * decade : decade;
 }
 
+double typical_side_of(const SnapshotBox& box) {
+  constexpr double of_longer = 0.25;
+  return std::max(std::sqrt(box.size.x() * box.size.y()), of_longer * box.size.maxCoeff());
+}
+
 JointArrow joint_arrow(const Snapshot& snapshot,
                        const SnapshotJoint& joint,
                        const ForceScale& scale) {
@@ -94,7 +99,7 @@ void ForceRange::include(const Snapshot& snapshot) {
   weight_ = median_weight(snapshot);
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
-    side_sum_ += std::sqrt(box.size.x() * box.size.y());
+    side_sum_ += typical_side_of(box);
     ++side_count_;
   }
 }

@@ -12,6 +12,9 @@ namespace wuerfel {
 /// The largest of 1, 2, 5, 10, 20, 50 ... (and 0.5, 0.2 ...) that is not above `value` > 0.
 double round_down_125(double value);
 
+/// m, that a body is about as large as: the geometric mean of its sides, of a thin one a quarter of the longer one.
+double typical_side_of(const SnapshotBox& box);
+
 struct ForceScale {
   double metres_per_newton = 0.0;  ///< 0: no arrows
   double longest = 1e300;          ///< m; a longer arrow is cut there and marked as broken

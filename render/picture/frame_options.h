@@ -20,7 +20,8 @@ struct FrameOptions {
   BodyColoring coloring;
   double explode =
       0.0;             ///< bodies are so much farther apart than they are, with all forces on them
-  int foot_lines = 1;  ///< of text at the foot
+  int head_lines = 1;  ///< of text below the title, that the view keeps free
+  int foot_lines = 1;  ///< of text at the foot, that the view keeps free
   double interval = 0.0;  ///< s between frames: how many digits the time has; 0: a still picture
   /// HiDPI factor on text, lines and arrow heads.
   double scale = 1.0;
@@ -52,12 +53,14 @@ double frame_unit(int width, int height, double scale);
 constexpr double line_height = 1.33;  ///< of text, as a share of its size
 
 /// The parts of a HUD that a picture has room for: together they take no more than 40 % of its
-/// height.
+/// height, or 60 % where they were asked to be larger.
 struct HudParts {
   bool head = false;
   bool foot = false;
 };
 HudParts hud_parts(const Style& style, const FrameOptions& options, int width, int height);
+/// px: the least height that has room for all of the HUD, as large as it is at `height`.
+double height_for_hud(const Style& style, const FrameOptions& options, int width, int height);
 
 constexpr double color_bar_width = 92.0;  ///< px of a 1280x720 picture, with its numbers
 

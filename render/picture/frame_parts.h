@@ -98,10 +98,13 @@ void add_whiskers(const FrameParts& parts);
 void paint_whisker(const FrameParts& parts, Pixel from, Pixel to, bool goes_on);
 void add_causes(const FrameParts& parts);
 void add_mechanism(const FrameParts& parts);
-/// Fixes of Snapshot::reason, and its words in the place of the HUD.
+/// Of Snapshot::reason: where boxes would be that are moved, arrows of its fixes, and its words in the place of the HUD.
+void add_moved_boxes(const FrameParts& parts);
 void add_fixes(const FrameParts& parts);
 void add_reason_text(const FrameParts& parts);
 
+/// Of velocities and accelerations.
+void add_motion_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
 /// Arrows of the forces, and dots for those too small for one.
 void add_joint_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);
 void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arrows);

@@ -41,9 +41,9 @@ struct ArrowMarks {
   bool cut = false;
 };
 
-/// A row of symbols with labels, from left to right, or two, over a share of the picture's width; what has no room
+/// Rows of symbols with labels, from left to right, over a share of the picture's width; what has no room
 /// then is left out and counted. It is gone through again and again: measured, so that the plate is as large as the
-/// rows and two are about as long as each other, and painted.
+/// rows and all are about as long as each other, and painted.
 class LegendRow {
  public:
   enum class Pass { measuring, painting };
@@ -76,6 +76,7 @@ class LegendRow {
   /// Calls `draw` with the left and right ends of a symbol so long, where it fits.
   template <typename Draw>
   void entry(double symbol, std::string_view label, const Draw& draw);
+  [[nodiscard]] bool has_room_below() const;
   [[nodiscard]] float middle() const;
   void stroke(Pixel from, Pixel to, double width, Color color);
 

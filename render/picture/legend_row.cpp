@@ -40,16 +40,21 @@ void LegendRow::paint_plate() const {
   }
 }
 
+// Two rows are always as many as a picture has room for, but the foot of a strip may have less.
+bool LegendRow::has_room_below() const {
+  constexpr double most = 0.2;  // of the picture's width, that further ones may be high
+  const double height = (0.76 + (row_ + 1) * line_height) * size_;
+  return height < parts_.view.height - hud_margin * parts_.unit
+         && (row_ == 0 || height <= most * parts_.view.width);
+}
+
 template <typename Draw>
 void LegendRow::entry(double symbol, std::string_view label, const Draw& draw) {
-  // The foot of a strip has room for one at first.
-  const double height = parts_.view.height - hud_margin * parts_.unit;
-  const bool second = row_ == 0 && height > (0.76 + line_height) * size_;
   const double width = parts_.font.width(label, size_);
   const double wanted = symbol + label_gap * parts_.unit + width;
   if (x_ + wanted > end_) {
     const double start = hud_margin * parts_.unit;
-    if (!second || start + wanted > end_) {
+    if (!has_room_below() || start + wanted > end_) {
       ++left_out_;
       return;
     }

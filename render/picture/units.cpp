@@ -46,6 +46,8 @@ std::string with_prefix(double value, std::string_view unit, int digits, Zeros z
     const double last = std::pow(10.0, exponent - digits + 1);
     return fmt::format("{:.10g} {}{}", std::round(of_prefix / last) * last, prefix.name, unit);
   }
+  // Beyond the prefixes as with zeros dropped.
+  if (exponent >= 6 || exponent < -4) return fmt::format("{} {}{}", scientific, prefix.name, unit);
   return fmt::format("{:.{}f} {}{}", of_prefix, std::max(digits - 1 - exponent, 0), prefix.name,
                      unit);
 }

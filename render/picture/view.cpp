@@ -9,10 +9,11 @@
 namespace wuerfel {
 namespace {
 
-bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point) {
+/// `size` m: of the numbers that the point was computed from.
+bool inside_any(const std::vector<SnapshotPlane>& planes, const Vec2& point, double size) {
   constexpr double tolerance = 1e-9;
-  return std::ranges::any_of(planes, [&point](const SnapshotPlane& plane) {
-    return (point - plane.point).dot(plane.normal) < -tolerance * (1.0 + point.norm());
+  return std::ranges::any_of(planes, [&](const SnapshotPlane& plane) {
+    return (point - plane.point).dot(plane.normal) < -tolerance * size;
   });
 }
 
@@ -26,7 +27,8 @@ void include_near_ground(const Snapshot& snapshot, double depth, Bounds& bounds)
     for (const SnapshotBox& box : snapshot.boxes) {
       const double distance = (box.center - plane.point).dot(plane.normal);
       const Vec2 foot = box.center - distance * plane.normal;
-      if (distance >= reach || inside_any(snapshot.planes, foot)) continue;
+      const double size = box.center.norm() + box.size.norm();
+      if (distance >= reach || inside_any(snapshot.planes, foot, size)) continue;
       bounds.include(foot);
       const bool may_touch = distance <= touching * 0.5 * box.size.norm();
       if (may_touch) bounds.include(Vec2(foot - depth * plane.normal));
@@ -56,7 +58,7 @@ double motion_scale(const Snapshot& snapshot) {
   int count = 0;
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
-    side += std::sqrt(box.size.x() * box.size.y());
+    side += typical_side_of(box);
     ++count;
   }
   return count == 0 ? 0.0 : reach * side / count;

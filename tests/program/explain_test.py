@@ -2,6 +2,7 @@
 import json
 import math
 import os
+from xml.etree import ElementTree
 
 from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main, png_size, png_texts
 
@@ -84,11 +85,30 @@ class Margins(ProgramTest):
         margin = self.check(LANDING, "--margin")["margin"]
         self.assertEqual(margin["bodies"]["a"]["shift"], [-0.5, 0.5])
 
+    def test_rounding_is_no_result_and_columns_stand_below_their_names(self):
+        long = "a pillar with a long name"
+        sliding = {"version": 1, "material": {"friction": 0.15}, "plane": [{"name": "ground", "normal": [-0.2, 1]}],
+                   "cube": [{"name": long, "size": [0.6, 1.5], "mass": 300, "on": "ground"},
+                            {"name": "cap", "size": [1, 0.3], "mass": 100, "on": long, "offset": 0.1}]}
+        text = self.expect(1, "check", self.scene(sliding), "--ranges").stdout
+        self.assertNotRegex(text, r"e-1\d")
+        for table in (text.split("\n\n")[k] for k in (1, 3)):
+            lines = table.strip("\n").split("\n")
+            self.assertGreater(len(lines), 2)
+            column = lines[0].index("from")
+            self.assertEqual({line[column:column + 6].strip() for line in lines[1:]}, {"cap", "ground"})
+            self.assertEqual(len({len(line) for line in lines}), 1, table)
+
     def test_names_that_are_not_there(self):
         scene = self.scene(TOWER)
         self.assertIn("there is no cube 'd1'; did you mean", self.expect(2, "check", scene, "--margin", "--bodies", "d1").stderr)
         self.assertIn("floor", self.expect(2, "check", scene, "--ranges", "--bodies", "floor").stderr)
         self.assertIn("'tlit' is unknown", self.expect(2, "check", scene, "--margin", "tlit,load").stderr)
+        foo = self.expect(2, "check", scene, "--margin", "foo").stderr
+        self.assertIn("--margin: 'foo' is unknown", foo)
+        self.assertIn("tilt, load, shift, move", foo)
+        self.assertIn("nowhere.toml: no such file", self.expect(2, "check", "--margin", "nowhere.toml").stderr)
+        self.expect(1, "check", "--margin", "fig1_stack")
         self.assertIn("does nothing", self.expect(0, "check", scene, "--bodies", "c1").stderr)
 
 
@@ -157,7 +177,34 @@ class Explain(ProgramTest):
             self.assertIn(name, self.files())
         self.assertEqual(png_size(self.path("why.png")), (400, 300))
         self.assertIn("--why de", png_texts(self.path("why.png"))["Options"])
-        self.expect(0, "reproduce", "why.png")
+        for name in ("why.png", "why.svg"):
+            self.expect(0, "reproduce", name)
+
+    def texts(self, scene, *options):
+        """Of the picture of a scene, and what is noted."""
+        done = self.expect(1, "explain", scene, "-o", "why.svg", *options)
+        with open(self.path("why.svg")) as file:
+            drawn = file.read()
+        return [text.text for text in ElementTree.fromstring(drawn).iter("{http://www.w3.org/2000/svg}text")], drawn, done.stderr
+
+    def test_a_picture_tells_how_all_gives_way_together(self):
+        texts, _, _ = self.texts("drawbridge")
+        self.assertIn("No part fails by itself; together they give way:", texts)
+        self.assertEqual(len([text for text in texts if "of the work" in text]), 3, texts)
+
+    def test_a_picture_marks_two_causes_and_what_helps_above_them(self):
+        sliding = {"version": 1, "material": {"friction": 0.15}, "plane": [{"name": "ground", "normal": [-0.2, 1]}],
+                   "cube": [{"name": "pillar", "size": [0.6, 1.5], "mass": 300, "on": "ground"},
+                            {"name": "cap", "size": [1, 0.3], "mass": 100, "on": "pillar", "offset": 0.1}]}
+        texts, drawn, _ = self.texts(self.scene(sliding))
+        self.assertTrue(any(text.startswith("cap moves") for text in texts), texts)
+        self.assertTrue(any(text.startswith("pillar and cap together move") for text in texts), texts)
+        self.assertLess(drawn.index('"causes"'), drawn.index('"fixes"'))
+
+    def test_names_without_room_are_noted(self):
+        long = {**FALLING, "cube": [{**cube, "name": "the one whose name is much too long for it " + cube["name"]}
+                                    for cube in FALLING["cube"]]}
+        self.assertIn("labels have no room", self.texts(self.scene(long), "--size", "320x240")[2])
 
     def test_pictures_of_what_stands_and_of_what_moves(self):
         for scene, code in ((STANDING, 0), (FLYING, 1)):

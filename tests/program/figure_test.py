@@ -136,8 +136,33 @@ class Formats(ProgramTest):
         for entry in ("weight", "pressure", "thrust", "normal"):
             self.assertIn(entry, texts)
         self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
-        done = self.expect(0, "figure", scene, "--strip", "2x1", "--size", "240x180", "-o", "f.svg", *layers)
+        done = self.expect(0, "figure", scene, "--strip", "2x1", "--size", "160x120", "-o", "f.svg", *layers)
         self.assertIn("entries of the legend have no room", done.stderr)
+
+    def test_large_text_keeps_its_legend_or_tells_that_it_is_left_out(self):
+        def drawn(*options):
+            done = self.expect(0, "figure", self.scene(STANDING), "-o", "f.svg", "--layers", "cubes,forces,weights,velocities,hud", *options)
+            with open(self.path("f.svg")) as file:
+                texts = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+            self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+            return texts, done.stderr
+        for options in (("--scale", "2.6"), ("--scale", "3"), ("--width", "84mm", "--scale", "3", "--size", "1280xauto")):
+            with self.subTest(options):
+                texts, notes = drawn(*options)
+                for entry in ("standing", "weight", "thrust"):
+                    self.assertIn(entry, texts)
+                self.assertEqual(notes, "")
+        texts, notes = drawn("--scale", "4", "--size", "1280x720")
+        self.assertNotIn("weight", texts)
+        self.assertIn("the legend is left out", notes)
+        self.assertIn("title and legend are left out", drawn("--size", "64x64")[1])
+        done = self.expect(0, "run", self.scene(STANDING), "-o", "f/", "--fps", "1", "--scale", "4", "--size", "640x360")
+        self.assertIn("the legend is left out", done.stderr)
+
+    def test_forces_of_one_corner_all_have_their_numbers(self):
+        done = self.expect(0, "figure", "incline_friction", "-t", "0.5", "--layers", "cubes,contact-forces,values,hud",
+                           "-o", "f.png")
+        self.assertEqual(done.stderr, "")
 
     def test_free_bodies_have_weights_and_numbers(self):
         scene = self.scene(STANDING)

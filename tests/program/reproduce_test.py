@@ -9,6 +9,8 @@ from program import FALLING, FLYING, STANDING, ProgramTest, main, png_chunks, pn
 
 SMALL = ("--size", "320x180")
 EVERYTHING = "cubes,rods,points,sides,normals,forces,rod-forces,velocities,trails,contacts,grid,names,hud"
+BOUNCING = {"version": 1, "duration": 1.0, "plane": [{"restitution": 1}],
+            "cube": [{"position": [0, 1.5], "restitution": 0.64}]}
 
 
 class Reproduce(ProgramTest):
@@ -34,6 +36,18 @@ class Reproduce(ProgramTest):
                 for name in (self.files("f")[0], self.files("f")[-1]):
                     self.expect_identical("f/" + name)
                 shutil.rmtree(self.path("f"))
+
+    def test_scales_of_what_does_not_occur_are_not_fitted_anew(self):
+        whole = ("--layers", EVERYTHING + ",accelerations", *SMALL)
+        flying = {**FLYING, "gravity": [0, 0]}
+        for scene in (self.scene(FALLING), self.scene(flying, "free.json")):
+            for color in ("body", "load", "speed"):
+                with self.subTest(scene=scene, color=color):
+                    self.expect(0, "figure", scene, "-t", "0", "--fit", "instant", "--color", color, "-o", "f.png", *whole)
+                    self.expect_identical("f.png")
+        self.expect(0, "run", self.scene(BOUNCING), "-o", "f/", "--until", "0.41", "--fps", "10", *whole)
+        for name in self.files("f"):
+            self.expect_identical("f/" + name)
 
     def test_drawing_at_once_and_afterwards_gives_the_same_pictures(self):
         arguments = ("--fps", "20", *SMALL)
@@ -91,6 +105,15 @@ class Reproduce(ProgramTest):
                 self.changed(*change)
                 report = json.loads(self.expect(1, "reproduce", "f.png", "--json").stdout)
                 self.assertEqual((report["same"], report["verdict"]), (False, "different"))
+
+    def test_the_line_is_told_in_which_svg_files_differ(self):
+        self.expect(0, "figure", self.scene(FALLING), "-o", "f.svg", *SMALL)
+        with open(self.path("f.svg")) as file:
+            lines = file.read().split("\n")
+        lines[5] += " "
+        with open(self.path("f.svg"), "w") as file:
+            file.write("\n".join(lines))
+        self.assertEqual(self.expect(1, "reproduce", "f.svg").stdout, "different: first in line 6\n")
 
     def test_another_version_is_told(self):
         self.changed("Software", "wuerfel ", "wuerfel 0.0.")

@@ -229,6 +229,8 @@ verdicts = ["falls"]
 
     def test_bad_sweep_files_are_refused_with_place_and_suggestion(self):
         self.refused('sweep.toml:3:1: unknown key "sed"; did you mean "seed"?', SWEEP.replace("seed = 7", "sed = 7").lstrip())
+        self.refused('sweep.toml:10: vary[1]: tower.x.lean=', SWEEP.replace("tower.t.lean", "tower.x.lean"))
+        self.refused('sweep.toml:13: vary[2]: tower.t.count=', SWEEP.replace("integers = [2, 4]", "integers = [-4, -2]"))
         self.refused('vary[1]', SWEEP.replace("uniform = [-0.6, 0.6]", "uniform = [0.6, -0.6]"))
         self.refused("low <= high", SWEEP.replace("uniform = [-0.6, 0.6]", "uniform = [0.6, -0.6]"))
         self.refused("both ends must be greater than 0", SWEEP.replace("uniform = [-0.6, 0.6]", "log_uniform = [0.0, 1.0]"))
@@ -511,6 +513,11 @@ class Family(Sweep):
         self.expect(0, "sweep", "sheet", "plan", "-o", "sheet.png", "--strip", "4x3", "--size", "400x330")
         with open(self.path("sheet.png"), "rb") as file:
             self.assertEqual(struct.unpack(">II", file.read()[16:24]), (400, 330))
+        self.expect(0, "sweep", "sheet", "plan", "-o", "sheet.png")  # 24 cases: three of eight rows
+        with open(self.path("sheet.png"), "rb") as file:
+            width, height = struct.unpack(">II", file.read()[16:24])
+        self.assertEqual(width, 1600)
+        self.assertLess(height, 1760 * 0.4)
 
 
 if __name__ == "__main__":

@@ -81,6 +81,23 @@ TEST(ShownStatics, RangesAreThoseOfCheckAndHoldWhatIsShown) {
   }
 }
 
+// A cube squeezed between two walls that rub: the walls may press as hard as they like.
+TEST(ShownStatics, RangesWithoutAMostAreShown) {
+  Scene scene;
+  scene.fixed = {post("left", {-1.0, 1.5}, {1.0, 3.0}), post("right", {1.0, 1.5}, {1.0, 3.0})};
+  scene.cubes = {cube("a", {0.0, 1.5})};
+  scene.cubes[0].material.friction = 1.0;
+  for (SceneFixed& wall : scene.fixed)
+    wall.material.friction = 0.25;
+  const Snapshot snapshot = Simulation(scene, {}).snapshot(everything);
+  ASSERT_EQ(snapshot.joints.size(), 2U);
+  for (const SnapshotJoint& joint : snapshot.joints) {
+    ASSERT_TRUE(joint.range);
+    EXPECT_NEAR(joint.range->least, 9.81, 1e-6);
+    EXPECT_TRUE(std::isinf(joint.range->most));
+  }
+}
+
 // While an island moves only the forces that are shown are known; that it rests again is seen.
 TEST(ShownStatics, RangesAreToldWhereNothingMoves) {
   Scene scene = on_floor({cube("a", {-0.8, 0.5}), cube("b", {0.8, 0.5}),

@@ -26,8 +26,8 @@ Snapshot two_boxes() {
                       .centre = Vec2(0.6, 1.5),
                       .corner = Vec2(0.5, 1.0),
                       .beside = Vec2(0.6, 1.0),
-                      .outside = 0.1}};
-  reason.outside = "a tenth";
+                      .outside = 0.1,
+                      .label = "a tenth"}};
   reason.fixes.resize(2);
   reason.fixes[0].moved = {1};
   reason.fixes[0].way = {-0.1, 0.0};
@@ -105,6 +105,7 @@ TEST(ComposeCauses, WithoutAReasonTheLayerMeasuresByItself) {
   Font font;
   Snapshot snapshot = two_boxes();
   snapshot.reason.reset();
+  snapshot.causes.front().label.clear();
   const DrawList list = compose(snapshot, font);
   EXPECT_TRUE(tells(list, "100 mm"));
   EXPECT_TRUE(tells(list, "two"));

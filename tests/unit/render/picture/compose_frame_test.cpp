@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -188,6 +190,44 @@ TEST_F(Composition, InstanceMasksAreNumbersAndWholePixels) {
 }
 
 // As long as the difference of two arrows, and beside the one that is drawn.
+
+TEST_F(Composition, ThinBodiesAreDrawnAsWideAsALine) {
+  snapshot.boxes.resize(1);
+  snapshot.boxes[0].size = {2.0, 1e-6};
+  const DrawList list = compose({Layer::cubes});
+  ASSERT_EQ(list.bodies.size(), 1U);
+  const BoxShape& rod = list.boxes[list.bodies[0].box];
+  EXPECT_FLOAT_EQ(rod.half_size.y, 0.9F * 0.62F);
+  EXPECT_FLOAT_EQ(rod.half_size.x, static_cast<float>(view.pixels_per_metre));
+}
+
+TEST_F(Composition, AnAccelerationAlongTheVelocityStandsBesideIt) {
+  snapshot.boxes.resize(1);
+  options.metres_per_speed = options.metres_per_acceleration = 0.1;
+  const auto shafts = [&](const Vec2& velocity) {
+    snapshot.boxes[0].velocity = velocity;
+    snapshot.boxes[0].acceleration = {0.0, -9.81};
+    const DrawList list = compose({Layer::velocities, Layer::accelerations});
+    std::vector<float> places;
+    for (const SegmentShape& s : list.segments)
+      if (is_upright(s) && s.color != style.halo) places.push_back(s.from.x);
+    return places;
+  };
+  const std::vector<float> along = shafts({0.0, -2.0});
+  ASSERT_EQ(along.size(), 2U);
+  EXPECT_GT(std::abs(along[0] - along[1]), 5.0F * 0.62F);
+  const std::vector<float> against = shafts({0.0, 2.0});
+  ASSERT_EQ(against.size(), 2U);
+  EXPECT_EQ(against[0], against[1]);
+}
+
+TEST_F(Composition, WhiskersWithoutAnEndAreOpenLikeThoseThatAreTooLong) {
+  snapshot = failing_snapshot();
+  const Layers layers{Layer::cubes, Layer::forces, Layer::whiskers};
+  const DrawList too_long = compose(layers);
+  snapshot.joints[4].range->most = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(compose(layers).segments == too_long.segments);
+}
 
 }  // namespace
 }  // namespace wuerfel::test

@@ -188,6 +188,21 @@ TEST_F(Composition, TwoRowsOfALegendAreAboutAsLongAsEachOther) {
   EXPECT_LT(std::max(first, second), 1.4 * std::min(first, second));
 }
 
+TEST_F(Composition, ALegendOfLargeTextTakesMoreRows) {
+  options.layers = {Layer::contact_forces, Layer::weights, Layer::velocities, Layer::thrust,
+                    Layer::joints,         Layer::normals, Layer::hud};
+  const auto rows_at = [&](double scale) {
+    options.scale = scale;
+    view = literal_view(snapshot, style, options, 1280, 720);
+    const DrawList list = compose_frame(snapshot, view, style, options, font);
+    EXPECT_EQ(list.legend_left_out, 0) << scale;
+    return list.legend_rows;
+  };
+  EXPECT_EQ(rows_at(1.0), 2);
+  EXPECT_EQ(rows_at(2.0), 3);
+  EXPECT_EQ(rows_at(3.0), 4);
+}
+
 TEST_F(Composition, TheLegendNamesSidesMassesAndWhiskers) {
   const auto says = [&](Layers layers, std::string_view what) {
     options.layers = layers;

@@ -117,5 +117,13 @@ TEST(JointArrow, EndsAtTheJointAndStaysInsideTheBodyThatPushes) {
   EXPECT_EQ(arrow.tail.x(), 0.25);
 }
 
+TEST(TypicalSide, OfAThinBodyIsAQuarterOfItsLength) {
+  SnapshotBox box;
+  box.size = {4.0, 1.0};
+  EXPECT_DOUBLE_EQ(typical_side_of(box), 2.0);
+  box.size = {2.0, 0.001};
+  EXPECT_DOUBLE_EQ(typical_side_of(box), 0.5);
+}
+
 }  // namespace
 }  // namespace wuerfel::test

@@ -19,6 +19,9 @@ TEST(Units, HavePrefixesBothWays) {
   EXPECT_EQ(with_prefix(15.0, "N", 3, Zeros::kept), "15.0 N");
   EXPECT_EQ(with_prefix(124.9, "N", 3, Zeros::kept), "125 N");
   EXPECT_EQ(with_prefix(999.9, "N", 3), "1 kN");
+  EXPECT_EQ(with_prefix(6.867e18, "N", 3, Zeros::kept), "6.87e+18 N");
+  EXPECT_EQ(with_prefix(5e-17, "N", 3, Zeros::kept), "5.00e-17 N");
+  EXPECT_EQ(with_prefix(5e18, "N"), "5e+18 N");
   EXPECT_EQ(energy_label(4.905e-9, 0.0), "4.90 nJ");
   EXPECT_EQ(energy_label(7.848e16, 0.0), "78.48 PJ");
   EXPECT_EQ(energy_label(843.7, 843.7), "843.7 J");

@@ -103,5 +103,21 @@ TEST(Bounds, ReachTheNearGroundButNotTheFarOne) {
   EXPECT_NEAR(bounds.max.x(), 0.5, rounding);
 }
 
+// The foot of a body on a plane is on it but for rounding, which is as large as the body.
+TEST(Bounds, ReachTheGroundBelowBodiesOfEverySize) {
+  for (const double size : {1e-9, 1.0, 1e9}) {
+    for (const double slope : {0.1, 0.2, 0.3, 0.4, 0.5}) {
+      Snapshot snapshot;
+      const Vec2 normal = Vec2(-slope, 1.0).normalized();
+      snapshot.planes.push_back({"ground", Vec2::Zero(), normal});
+      snapshot.boxes.push_back(unit_box(0.5 * size * normal, std::atan(slope)));
+      snapshot.boxes.front().size = Vec2(size, size);
+      Bounds bounds;
+      bounds.include(snapshot, ForceScale{.metres_per_newton = size, .longest = 0.8 * size});
+      EXPECT_NEAR(bounds.min.y(), -0.8 * size * normal.y(), 1e-9 * size) << size << ' ' << slope;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wuerfel::test
