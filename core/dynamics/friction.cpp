@@ -145,7 +145,8 @@ bool FrictionDynamics::bears(const State& state,
                              const Island& island,
                              std::span<const SideUse> use,
                              std::span<const int> slides,
-                             std::span<const Twist> accelerations) {
+                             std::span<const Twist> accelerations,
+                             double most) {
   ProgramBuilder builder(*system_, Formulation::rigid);
   builder.acceleration(state, island, use);
   builder.add_friction(state, island, use, Order::acceleration, slides);
@@ -157,7 +158,8 @@ bool FrictionDynamics::bears(const State& state,
     program.target[3 * k + 2] -= a.angular;
   }
   if (!rest_) rest_ = std::make_unique<RestProgram>();
-  return rest_->solve({program, builder.friction_program().contacts}).equilibrium();
+  const RestResult held = rest_->solve({program, builder.friction_program().contacts});
+  return held.status == QpStatus::optimal && held.size <= most;
 }
 
 std::optional<IslandSolution> FrictionDynamics::stopping(const State& pushed,

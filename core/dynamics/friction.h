@@ -41,12 +41,13 @@ class FrictionDynamics {
   /// dual of the motions that it cannot hold, qp/coulomb/rest_program.h].
   bool rests(const State& still, const Island& island);
   /// Whether the contacts that `use` says have forces under which the cubes accelerate as given, one of each per cube: what slips
-  /// rubs against its slip, `slides`.
+  /// rubs against its slip, `slides`. `most`: what forces may miss, relative to the largest acceleration.
   bool bears(const State& state,
              const Island& island,
              std::span<const SideUse> use,
              std::span<const int> slides,
-             std::span<const Twist> accelerations);
+             std::span<const Twist> accelerations,
+             double most);
   /// Impulses of the contacts that take away at once all the velocities that blows have given to an island at rest; none where
   /// there are no such impulses.
   std::optional<IslandSolution> stopping(const State& pushed, const Island& island);

@@ -265,7 +265,8 @@ bool PartialMotion::is_held(const Island& island,
   for (const int cube : island.cubes)
     of_cubes.push_back(accelerations[cube]);
   return work_->friction.bears(state, island, resting_uses(system, state, island),
-                               known_slips(system, state, island, rate_tolerance), of_cubes);
+                               known_slips(system, state, island, rate_tolerance), of_cubes,
+                               falls_above);
 }
 
 State PartialMotion::with_others(const State& part) const {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "core/dynamics/forces.h"
 #include "core/dynamics/instant_friction.h"
 #include "core/dynamics/projection.h"
 #include "core/dynamics/verdict.h"
@@ -160,6 +158,33 @@ std::vector<SideMode> find_sides(const System& system,
   return sides;
 }
 
+/// Asks of the islands that touch at a state and have closed contacts, with these as inequalities: rows of closed contacts stand for
+/// sides, whose ends may be elsewhere by now.
+template <class Predicate>
+bool any_closed(const State& state,
+                std::span<const Touch> closed,
+                Workspace& work,
+                const Predicate& predicate) {
+  const auto is_closed = [&](const Contact& c) {
+    return std::ranges::any_of(
+        closed, [&](const Touch& t) { return t.pair() == IndexPair(std::minmax(c.on, c.from)); });
+  };
+  for (const Island& island : islands_at(state, ContactLimits{}.touching, work)) {
+    std::vector<SideUse> use = resting_uses(*work.system, state, island);
+    for (std::size_t k = 0; k < use.size(); ++k)
+      if (!is_closed(island.contacts[k])) use[k] = SideUse::none;
+    const bool any = std::ranges::find(use, SideUse::inequality) != use.end();
+    if (any && predicate(island, use)) return true;
+  }
+  return false;
+}
+
+/// Whether a touch of the same bodies sticks.
+bool sticks(std::span<const Touch> closed, const Touch& touch) {
+  return std::ranges::any_of(closed,
+                             [&](const Touch& t) { return t.sticks && t.pair() == touch.pair(); });
+}
+
 }  // namespace
 
 std::vector<Island> islands_at(const State& state, double touching, Workspace& work) {
@@ -273,46 +298,28 @@ bool would_open(const State& state, std::span<const Touch> closed, double most, 
 }
 
 bool would_let_go(const State& state, const ContactSet& closed, double most, Workspace& work) {
-  std::vector<Island> islands;
-  find_islands(*work.system, closed.contacts, closed.touches, islands);
-  return std::ranges::any_of(islands, [&](const Island& island) {
-    if (island.contacts.empty()) return false;
-    const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
+  return any_closed(state, closed.touches, work, [&](const Island& island, const auto& use) {
     const IslandSolution solution = accelerations(island, state, use, work);
-    if (std::ranges::max(solution.slacks) > most) return true;
+    for (std::size_t k = 0; k < use.size(); ++k)
+      if (use[k] != SideUse::none && solution.slacks[k] > most) return true;
     return std::ranges::any_of(island.touches, [&](const Touch& touch) {
-      return touch.sticks && std::abs(begins_to_slip(touch, solution)) > most;
+      return sticks(closed.touches, touch) && std::abs(begins_to_slip(touch, solution)) > most;
     });
   });
 }
 
-bool has_lawful_forces(const State& state,
-                       const ContactSet& closed,
-                       const std::function<Twist(int cube)>& acceleration,
-                       const BorneForces& borne,
-                       double most,
-                       Workspace& work) {
-  std::map<ContactId, std::size_t> number;
-  for (std::size_t k = 0; k < closed.contacts.size(); ++k)
-    number[closed.contacts[k].id()] = k;
-  std::vector<Island> islands;
-  find_islands(*work.system, closed.contacts, closed.touches, islands);
-  return std::ranges::all_of(islands, [&](const Island& island) {
-    if (island.contacts.empty() || !island.rods.empty()) return true;
-    IslandSolution solution;
-    for (const Contact& c : island.contacts) {
-      solution.forces.push_back(borne.normal[number.at(c.id())]);
-      solution.tangential.push_back(borne.along[number.at(c.id())]);
-    }
-    solution.slacks.assign(island.contacts.size(), 0.0);
+bool have_lawful_forces(const State& state,
+                        const ContactSet& closed,
+                        const std::function<Twist(int cube)>& acceleration,
+                        double most,
+                        Workspace& work) {
+  return !any_closed(state, closed.touches, work, [&](const Island& island, const auto& use) {
     std::vector<Twist> accelerations;
     for (const int cube : island.cubes)
       accelerations.push_back(acceleration(cube));
-    const std::vector<int> slides = known_slips(*work.system, state, island, rate_tolerance);
-    return canonical_forces_with_friction(*work.system, state, island, slides, accelerations,
-                                          solution, Uniqueness::ignored)
-               .residual
-           <= most;
+    return !work.friction.bears(state, island, use,
+                                known_slips(*work.system, state, island, rate_tolerance),
+                                accelerations, most);
   });
 }
 

@@ -85,18 +85,12 @@ bool would_open(const State& state, std::span<const Touch> closed, double most, 
 /// The same where contacts rub: whether a gap would open, or what sticks would slip.
 bool would_let_go(const State& state, const ContactSet& closed, double most, Workspace& work);
 
-/// Forces of closed contacts, one of each per contact, N.
-struct BorneForces {
-  std::span<const double> normal;
-  std::vector<double> along;
-};
-/// Whether these accelerations have forces that Coulomb's law allows: those that contacts bear, or, where contacts depend on one
-/// another, others that do the same. `most`: relative residual of the law. Islands with rods are not looked at.
-bool has_lawful_forces(const State& state,
-                       const ContactSet& closed,
-                       const std::function<Twist(int cube)>& acceleration,
-                       const BorneForces& borne,
-                       double most,
-                       Workspace& work);
+/// Whether accelerations under closed contacts have forces that Coulomb's law allows, whatever those of least squares are. `most`:
+/// what they may miss, relative to the largest acceleration.
+bool have_lawful_forces(const State& state,
+                        const ContactSet& closed,
+                        const std::function<Twist(int cube)>& acceleration,
+                        double most,
+                        Workspace& work);
 
 }  // namespace wuerfel

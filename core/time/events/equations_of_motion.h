@@ -31,9 +31,6 @@ class EquationsOfMotion {
   [[nodiscard]] int first_slip(const std::vector<double>& loads) const;
   /// Whether some touch slips, so that friction takes energy.
   [[nodiscard]] bool slips() const { return slips_ > 0; }
-  /// Normal forces of the contacts, and what rubs, at the state of the last call.
-  [[nodiscard]] const std::vector<double>& forces() const { return contacts_.forces(); }
-  [[nodiscard]] const RubbingContacts& rubbing() const { return contacts_.rubbing(); }
   [[nodiscard]] bool rubs() const { return contacts_.rubbing().any(); }
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_.contacts(); }
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }

@@ -29,7 +29,7 @@ constexpr double trusted_share = 0.01;
 constexpr int most_newton_steps = 4;
 /// Rates of loads are differences over this share of L / V.
 constexpr double ahead_share = 1e-6;
-/// Forces break Coulomb's law whose residual is more than this.
+/// Accelerations break Coulomb's law that no forces lead to but for this share of the largest one.
 constexpr double lawful_share = 1e-6;
 /// What is left of bouncing when a contact no longer bounces takes less than a frame, in units of L / V.
 constexpr double longest_tail = 1.0 / frames_per_time;
@@ -210,13 +210,9 @@ bool EventMotion::breaks_law() {
   const double rounding = force_rounding * phase_.scales().weight;
   const auto pulls = [&](double load) { return load < -rounding; };
   if (std::ranges::none_of(loads.first(equations.first_slip(phase_.loads())), pulls)) return false;
-  // Putting states on contacts has left other forces than these.
-  std::vector<double> same;
-  phase_.loads_at(phase_.state(), same);
-  return !has_lawful_forces(
+  return !have_lawful_forces(
       phase_.state(), phase_.closed(), [&](int cube) { return phase_.acceleration(cube); },
-      {equations.forces(), equations.rubbing().along_sides(equations.forces())}, lawful_share,
-      work_);
+      lawful_share, work_);
 }
 
 /// The first event within a step.
