@@ -113,6 +113,7 @@ void add_island(const StillScene& still,
   }
   if (!request.degree) return;
   std::vector<std::vector<int>> contacts;
+  contacts.reserve(faces.size());
   for (Face& face : faces)
     contacts.push_back(std::move(face.contacts));
   result.degree += ranges.degree(contacts);
