@@ -41,6 +41,7 @@ constexpr double rounding = 1e-15;
 constexpr double cut_noise = 100.0;
 /// A load so many times as large as the weights drowns them: what it needs to be more is never enough.
 constexpr double drowning = 1e9;
+constexpr double digits_of_ends = 1e-6;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
@@ -268,14 +269,20 @@ bool LoadFactor::determinate_range(const std::vector<double>& w,
   return true;
 }
 
+/// An end that drowns the weights and is not known to six digits is none.
+LoadFactor::Top LoadFactor::bounded_by_more_than_rounding(Top top) {
+  if (top.s > drowning && top.error > digits_of_ends * top.s) return {};
+  return top;
+}
+
 LoadRange LoadFactor::range(const std::vector<double>& w,
                             const std::vector<double>& q,
                             const KnownCut& above_at,
                             const KnownCut& below_at) {
   if (LoadRange found; determinate_range(w, q, found)) return found;
-  const Top above = top(w, q, above_at);
+  const Top above = bounded_by_more_than_rounding(top(w, q, above_at));
   if (above.s == -unbounded) return no_load;
-  const Top below = top(w, reversed(q), below_at);
+  const Top below = bounded_by_more_than_rounding(top(w, reversed(q), below_at));
   if (below.s == -unbounded) return no_load;
   if (above.s == unbounded && below.s == unbounded && !balances(w, q, 0.0)) return no_load;
   return uncrossed({-below.s, above.s, std::max(above.error, below.error)});

@@ -77,6 +77,7 @@ class LoadFactor {
     double error = unbounded;  ///< relative, of one that is not exact
   };
   Top top(const std::vector<double>& w, const std::vector<double>& q, const KnownCut& known);
+  static Top bounded_by_more_than_rounding(Top top);
   void confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found);
   void make_sure(const std::vector<double>& w,
                  const std::vector<double>& q,

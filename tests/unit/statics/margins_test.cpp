@@ -88,6 +88,24 @@ TEST(Margins, ALoadOnAHarmonicStackTipsTheInterfaceThatIsFirst) {
 
 // [Paterson, Zwick 2009]: a diamond of m needs 2^m - m^2 - 1 weights on its top, but no less than
 // what lifts the top itself.
+//    +---+
+//    | c |        The middle of c is over the end of what bears it, but for rounding.
+//    +---+---+
+//    |   b   |
+//    +--+----+-+
+//       |  a  |
+TEST(Loads, OverTheEndOfASupportHaveNoLimit) {
+  Scene scene = on_floor({sized_cube("a", {1.1482562027345393, 0.5877159350269974},
+                                     {1.2965124054690784, 1.1754318700539947}),
+                          sized_cube("b", {1.0, 1.6754318700539947}, {2.0, 1.0}),
+                          sized_cube("c", {0.5, 2.4254318700539947}, {1.0, 0.5})});
+  set_friction(0.6, scene);
+  scene.cubes[0].material.friction = 0.5500903186325748;
+  scene.cubes[1].mass = 7.270497344737642;
+  scene.cubes[2].material.friction = 0.0;
+  EXPECT_EQ(load_on_top(scene).high, unbounded);
+}
+
 TEST(Margins, DiamondsNeedTheLoadOfPatersonAndZwick) {
   const auto weights = [](int m) {
     const ReferenceCase diamond = read_reference_case("pz_diamond" + std::to_string(m));
