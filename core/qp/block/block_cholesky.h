@@ -24,6 +24,7 @@ class BlockCholesky {
   /// Place of block (row, column), row >= column, both in the order of elimination; -1 if it is not
   /// in the pattern of L.
   [[nodiscard]] int place(int row, int column) const { return pattern_.place(row, column); }
+  [[nodiscard]] int blocks() const { return pattern_.blocks; }
   /// Number of blocks of L.
   [[nodiscard]] int fill() const { return pattern_.fill(); }
 
