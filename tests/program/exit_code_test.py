@@ -138,6 +138,13 @@ class Check(ProgramTest):
         self.assertEqual(set(answer), {"verdict", "accelerations", "contacts", "rods", "pins", "objective", "kkt_residual"})
         return answer
 
+    def test_painleve_is_told(self):
+        rod = {"name": "rod", "size": [2.0, 0.001], "position": [0, 0.7836377146116188], "angle": 0.9}
+        for velocity, jams in ((-1.0, True), (1.0, False)):
+            scene = {"version": 1, "material": {"friction": 2.0}, "plane": [{"name": "floor"}], "cube": [{**rod, "velocity": [velocity, 0]}]}
+            answer = json.loads(self.expect(1, "check", self.scene(scene), "--json").stdout)
+            self.assertEqual(answer.get("painleve", False), jams)
+
     def test_what_stands_is_fine(self):
         answer = self.verdict(STANDING, 0)
         self.assertEqual(answer["verdict"], "stands")

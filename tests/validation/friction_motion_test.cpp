@@ -92,6 +92,37 @@ TEST(Sliding, AccelerationsOfManyForcesAreThoseOfSomeThatTheLawAllows) {
   EXPECT_TRUE(simulation.states()[1].velocity.isZero(1e-9));
 }
 
+//        +--t--+        s pushes d away under t, whose other contacts depend on one another: t tips where what bears it, friction's
+// +-s-+--d---+          moment counted, is past the end of d.
+TEST(Sliding, TipsAtTheEndOfWhatSlidesAwayBelow) {
+  constexpr double mu = 0.2;
+  const Vec2 d(0.6012218806916816, 0.5448980042490169);
+  const Vec2 t(0.5590352742325029, 0.35128913477095974);
+  const Vec2 s(0.5, 0.33631081928057255);
+  Scene scene =
+      with_friction(on_floor({sized_cube("d", 0.5 * d, d),
+                              sized_cube("t", {0.3099011306819295, d.y() + 0.5 * t.y()}, t),
+                              sized_cube("s", {-2.0, 0.5 * s.y()}, s)}),
+                    mu);
+  scene.cubes[0].mass = 0.6925766643013042;
+  scene.cubes[1].mass = 0.3645954683935056;
+  scene.cubes[2].mass = 1.1862132503515797;
+  scene.cubes[2].velocity = {4.167371291654968, 0.0};
+  Simulation simulation(scene, {});
+  int upright = 0;
+  for (int k = 0; k < 40; ++k) {
+    simulation.advance_to(0.55 + 0.005 * k);
+    const BodyState& below = simulation.states()[0];
+    const BodyState& on_top = simulation.states()[1];
+    const bool slides = below.velocity.x() > on_top.velocity.x() + 1e-3;
+    if (!slides || std::abs(on_top.angle) > 1e-9 || std::abs(on_top.spin) > 1e-9) continue;
+    ++upright;
+    EXPECT_LE(below.position.x() - 0.5 * d.x(), on_top.position.x() - 0.5 * mu * t.y() + 1e-9);
+  }
+  EXPECT_GT(upright, 5);
+  EXPECT_GT(std::abs(simulation.states()[1].angle), 0.01);
+}
+
 // A corner that stays closed slips, whatever the other one of its side, which opens, is called.
 TEST(Rocking, MirrorsItself) {
   for (const double friction : {0.05, 0.1, 0.2}) {
