@@ -78,6 +78,14 @@ struct QuadraticProgram {
   [[nodiscard]] double slack(int row, const std::vector<double>& x) const {
     return row_value(row, x, -bound[row]);
   }
+  /// Whether x = 0 satisfies all rows, so that there is a solution, however far away it is.
+  [[nodiscard]] bool allows_rest() const {
+    for (int i = 0; i < rows(); ++i) {
+      if (bound[i] > 0.0 && force_max[i] == unbounded) return false;
+      if (bound[i] < 0.0 && force_min[i] == -unbounded) return false;
+    }
+    return true;
+  }
   /// forces += J' multiplier of a row; `forces` is a vector of size n.
   template <typename Forces>
   void add_row_force(int row, double multiplier, Forces&& forces) const {

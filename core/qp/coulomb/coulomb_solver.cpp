@@ -43,17 +43,9 @@ bool is_apart(const ContactUnit& unit) {
   return !unit.equality && unit.h.n * unit.per_velocity.n < -apart_share;
 }
 
-/// Whether x = 0 satisfies all rows, so that a solution exists. [Anitescu, Potra 1997]
+/// Whether a solution is known to exist. [Anitescu, Potra 1997]
 bool may_stand(const FrictionProgram& friction) {
-  const QuadraticProgram& p = friction.program;
-  std::vector<char> tangential(p.bound.size(), 0);
-  for (const FrictionContact& c : friction.contacts)
-    if (c.tangent >= 0) tangential[c.tangent] = 1;
-  for (int row = 0; row < p.rows(); ++row) {
-    const bool exactly = tangential[row] != 0 || p.is_equality(row);
-    if (exactly ? p.bound[row] != 0.0 : p.bound[row] > 0.0) return false;
-  }
-  return !any_slides(friction);
+  return friction.program.allows_rest() && !any_slides(friction);
 }
 
 }  // namespace

@@ -88,6 +88,7 @@ void ElasticForm::read(const QuadraticProgram& program, QpResult& result) const 
 }
 
 bool ElasticForm::infeasible(const QuadraticProgram& program) const {
+  if (program.allows_rest()) return false;
   if (point_.infeasible) return true;
   std::vector<double> violation(program.bound.size());
   double worst = 0.0;

@@ -39,6 +39,7 @@ bool BlockMethods::begin(const QuadraticProgram& program, QpResult& result) {
   if (!trouble_.empty()) return false;
   meter_.measure_scales(program);
   problem_.prepare(program);
+  solvable_ = program.allows_rest();
   result.residual.primal = unbounded;
   if (!has_impossible_row()) return true;
   result.status = QpStatus::infeasible;
@@ -70,7 +71,7 @@ bool BlockMethods::run_newton(const QuadraticProgram& program,
                               const NewtonEffort& effort,
                               QpResult& result) {
   const MethodOutcome outcome =
-      newton_.run(problem_, meter_.scales(), {goal(), settings_.tolerance}, effort);
+      newton_.run(problem_, meter_.scales(), {goal(), settings_.tolerance, solvable_}, effort);
   return take(program, outcome, goal(), newton_.y(), newton_.multiplier(), result);
 }
 
@@ -88,8 +89,8 @@ bool BlockMethods::try_interior_point(const QuadraticProgram& program,
                                       double proximal,
                                       QpResult& result) {
   const MethodOutcome outcome = interior_point_.run(
-      problem_, meter_.scales(), {interior_goal_share * settings_.tolerance, settings_.tolerance},
-      warm, proximal);
+      problem_, meter_.scales(),
+      {interior_goal_share * settings_.tolerance, settings_.tolerance, solvable_}, warm, proximal);
   (warm ? warm_factorisations_ : cold_factorisations_) = outcome.factorisations;
   const double enough = settings_.wants_exact() ? best_goal : settings_.tolerance;
   return take(program, outcome, enough, interior_point_.y(), interior_point_.multiplier(), result);

@@ -74,6 +74,7 @@ class BlockMethods {
   InteriorPointMethod interior_point_;
   ResidualMeter meter_;
   std::string_view trouble_;
+  bool solvable_ = false;  ///< a solution of the program is known to exist
   // Of the interior point runs last made.
   int warm_factorisations_ = 0;
   int cold_factorisations_ = 0;

@@ -73,7 +73,7 @@ MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
     const bool gains = keeps_gaining(worst, centre, outcome);
     if (outcome.worst <= goal) outcome.end = MethodEnd::reached;
     if (outcome.worst <= goal || !gains) break;
-    if (step >= 8 && step % 4 == 0
+    if (!aim.solvable && step >= 8 && step % 4 == 0
         && proves_infeasible(problem, scales, aim.tolerance, at_.lambda, pull_, step_.y)) {
       outcome.end = MethodEnd::infeasible;
       break;

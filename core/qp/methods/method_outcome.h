@@ -14,6 +14,7 @@ enum class MethodEnd { reached, stalled, infeasible };
 struct Aim {
   double residual;   ///< where it ends
   double tolerance;  ///< what passes for a solution
+  bool solvable;     ///< a solution is known to exist
 };
 
 struct MethodOutcome {

@@ -41,7 +41,7 @@ MethodOutcome NewtonMethod::run(LeastDistance& problem,
     if (worst <= enough || lost >= effort.patience) break;
     const bool slow = worst > 0.1 * former;
     former = worst;
-    if (outer >= 2 && slow
+    if (!aim.solvable && outer >= 2 && slow
         && proves_infeasible(problem, scales, aim.tolerance, change_, weight_, step_.d)) {
       outcome.end = MethodEnd::infeasible;
       break;

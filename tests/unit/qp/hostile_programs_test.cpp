@@ -91,6 +91,21 @@ TEST_P(HostileProgram, CallsNothingInfeasibleThatPassesForSolved) {
   EXPECT_NE(solve_by(GetParam(), program).status, QpStatus::infeasible);
 }
 
+/// A body between two walls, one of which is out of plumb by 1e-9: it holds the body with 1e9 weights, and rest is a solution.
+TEST_P(HostileProgram, CallsNothingInfeasibleThatAllowsRest) {
+  QuadraticProgram program;
+  program.clear(3);
+  program.add_block(std::array{3.0, 3.0, 1.0}, std::array{0.0, -9.81, 0.0});
+  const std::array rows{std::array{1.0, 0.0, 0.9}, std::array{1.0, 0.0, 0.3},
+                        std::array{-1.0, 0.0, -0.8}, std::array{-1.0, 1e-9, -0.9}};
+  for (const std::array<double, 3>& row : rows) {
+    program.add_inequality(0.0);
+    program.add_entry(0, row);
+  }
+  ASSERT_TRUE(program.allows_rest());
+  EXPECT_NE(solve_by(GetParam(), program).status, QpStatus::infeasible);
+}
+
 TEST_P(HostileProgram, NamesWhatIsWrongWithAMalformedProgram) {
   const auto refuses = [](const QuadraticProgram& program) {
     const auto solver = make_qp_solver(GetParam());
