@@ -179,8 +179,9 @@ void add_names(const FrameParts& parts) {
     if (!visible(parts, box) || box.name.empty()) continue;
     const double full = parts.style.text_size * parts.unit;
     const double ppm = parts.view.pixels_per_metre;
-    const double upright = std::abs(std::cos(box.angle)) > 0.7 ? box.size.x() : box.size.y();
-    const double high = std::abs(std::cos(box.angle)) > 0.7 ? box.size.y() : box.size.x();
+    const bool level = std::abs(axis_of(box).x()) > 0.7;
+    const double upright = level ? box.size.x() : box.size.y();
+    const double high = level ? box.size.y() : box.size.x();
     const bool flat = high * ppm > 1.4 * full;
     const double room = name_room * ppm * (flat ? upright : std::min(upright, high));
     const double width = parts.font.width(box.name, full);

@@ -19,7 +19,7 @@ constexpr double least_of_crowd = 1.0;       ///< likewise: more rings than bodi
 Color joint_color(const FrameParts& parts) { return parts.style.contact; }
 
 bool contains(const SnapshotBox& box, const Vec2& place) {
-  const Vec2 along(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 along = axis_of(box);
   const Vec2 from_center = place - box.center;
   return std::abs(from_center.dot(along)) < 0.5 * box.size.x()
          && std::abs(from_center.dot(perp(along))) < 0.5 * box.size.y();

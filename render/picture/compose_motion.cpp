@@ -51,8 +51,9 @@ std::vector<Vec2> corners_apart(const FrameParts& parts, const SnapshotBox& box)
   const auto half = [&](double size) {
     return size * parts.view.pixels_per_metre < two_heads * parts.unit ? 0.0 : 0.5 * size;
   };
-  const Vec2 along = half(box.size.x()) * Vec2(std::cos(box.angle), std::sin(box.angle));
-  const Vec2 across = half(box.size.y()) * Vec2(-std::sin(box.angle), std::cos(box.angle));
+  const Vec2 axis = axis_of(box);
+  const Vec2 along = half(box.size.x()) * axis;
+  const Vec2 across = half(box.size.y()) * perp(axis);
   std::vector<Vec2> places;
   for (const Vec2& r :
        {Vec2(-along - across), Vec2(along - across), Vec2(along + across), Vec2(across - along)})

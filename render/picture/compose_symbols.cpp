@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/trig.h"
 #include "render/picture/frame_parts.h"
 
 namespace wuerfel::internal {
@@ -66,11 +67,12 @@ void place(const FrameParts& parts,
   const double half_width = 0.5 * (area.right - area.left);
   const double half_height = 0.5 * (area.bottom - area.top);
   const Pixel p = parts.pixel(at);
-  const double first = wanted.isZero(0.0) ? 0.0 : std::atan2(-wanted.y(), wanted.x());
+  const double first = wanted.isZero(0.0) ? 0.0 : atan2(-wanted.y(), wanted.x());
   std::vector<Pixel> baselines;
   for (const int eighths : {0, 1, -1, 2, -2, 3, -3, 4}) {
     const double angle = first + 0.25 * std::numbers::pi * eighths;
-    const Vec2 way(std::cos(angle), std::sin(angle));
+    Vec2 way;
+    sin_cos(angle, way.y(), way.x());
     const double gap = away * parts.unit + radius;
     const Vec2 center(static_cast<double>(p.x) + way.x() * (gap + half_width),
                       static_cast<double>(p.y) + way.y() * (gap + half_height));

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "render/picture/view.h"
+
 namespace wuerfel {
 namespace {
 
@@ -16,9 +18,8 @@ Vec2 foot_of(const Snapshot& snapshot) {
   double low = 1e300;
   for (const SnapshotBox& box : snapshot.boxes) {
     if (box.fixed) continue;
-    const double reach = 0.5
-                         * (std::abs(std::cos(box.angle)) * box.size.y()
-                            + std::abs(std::sin(box.angle)) * box.size.x());
+    const Vec2 axis = axis_of(box).cwiseAbs();
+    const double reach = 0.5 * (axis.x() * box.size.y() + axis.y() * box.size.x());
     left = std::min(left, box.center.x());
     right = std::max(right, box.center.x());
     low = std::min(low, box.center.y() - reach);

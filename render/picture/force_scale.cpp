@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/picture/view.h"
+
 namespace wuerfel {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr double share_of_pusher = 0.8;  ///< that an arrow may cross
 
 /// How far a ray from a place on a box runs through it, m.
 double depth_along(const SnapshotBox& box, const Vec2& from, const Vec2& direction) {
-  const Vec2 along(std::cos(box.angle), std::sin(box.angle));
+  const Vec2 along = axis_of(box);
   double depth = std::numeric_limits<double>::max();
   for (const auto& [axis, half] :
        {std::pair(along, 0.5 * box.size.x()), std::pair(Vec2(perp(along)), 0.5 * box.size.y())}) {

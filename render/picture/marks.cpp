@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/picture/view.h"
+
 namespace wuerfel::internal {
 namespace {
 
@@ -18,7 +20,8 @@ BoxShape box_shape(const View& view, const SnapshotBox& box) {
   const Vec2 center = view.to_pixel(box.center);
   BoxShape shape;
   shape.center = {static_cast<float>(center.x()), static_cast<float>(center.y())};
-  shape.axis = {static_cast<float>(std::cos(box.angle)), static_cast<float>(-std::sin(box.angle))};
+  const Vec2 axis = axis_of(box);
+  shape.axis = {static_cast<float>(axis.x()), static_cast<float>(-axis.y())};
   shape.half_size = {static_cast<float>(0.5 * box.size.x() * ppm),
                      static_cast<float>(0.5 * box.size.y() * ppm)};
   return shape;

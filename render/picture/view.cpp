@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/geometry/trig.h"
 #include "render/error.h"
 
 namespace wuerfel {
@@ -38,9 +39,16 @@ void include_near_ground(const Snapshot& snapshot, double depth, Bounds& bounds)
 
 }  // namespace
 
+Vec2 axis_of(const SnapshotBox& box) {
+  Vec2 axis;
+  sin_cos(box.angle, axis.y(), axis.x());
+  return axis;
+}
+
 std::array<Vec2, 4> corners(const SnapshotBox& box) {
-  const Vec2 along = 0.5 * box.size.x() * Vec2(std::cos(box.angle), std::sin(box.angle));
-  const Vec2 across = 0.5 * box.size.y() * Vec2(-std::sin(box.angle), std::cos(box.angle));
+  const Vec2 axis = axis_of(box);
+  const Vec2 along = 0.5 * box.size.x() * axis;
+  const Vec2 across = 0.5 * box.size.y() * perp(axis);
   return {box.center - along - across, box.center + along - across, box.center + along + across,
           box.center - along + across};
 }

@@ -11,6 +11,8 @@ namespace wuerfel {
 
 /// The four corners of a posed box, m.
 std::array<Vec2, 4> corners(const SnapshotBox& box);
+/// Unit vector along its width.
+Vec2 axis_of(const SnapshotBox& box);
 
 /// A box that has followed its motion so far that the corner that moves most has moved by `reach` m.
 SnapshotBox moved_by(const SnapshotBox& box, const SnapshotMotion& motion, double reach);

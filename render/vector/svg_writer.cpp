@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/geometry/trig.h"
 #include "render/error.h"
 #include "render/vector/outlines.h"
 #include "render/vector/xml.h"
@@ -168,7 +169,7 @@ void SvgWriter::add(const BoxShape& box, int body) {
                       number(2.0 * half_width), number(2.0 * half_height));
   if (box.axis.y != 0.0F || box.axis.x < 0.0F) {
     const double angle =
-        std::atan2(static_cast<double>(box.axis.y), static_cast<double>(box.axis.x));
+        wuerfel::atan2(static_cast<double>(box.axis.y), static_cast<double>(box.axis.x));
     svg_ += fmt::format(" transform=\"rotate({:.4f} {})\"", angle * 180.0 / std::numbers::pi,
                         place(center));
   }

@@ -1,6 +1,7 @@
 """One hash over all states: the same however a run is looked at, wherever it runs, and with the binaries named as arguments."""
 import json
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -39,6 +40,16 @@ class Determinism(ProgramTest):
         for environment in OTHER_MACHINES:
             with self.subTest(environment=environment):
                 self.assertEqual(self.state_hash("demo", until="2.5", **environment), expected)
+
+    def test_other_machines_draw_the_same(self):
+        layers = "cubes,rods,forces,contact-forces,velocities,mechanism,values,symbols,hud,contacts,trails"
+        for scene in ("pile", "trebuchet"):
+            for suffix in ("png", "svg"):
+                names = [f"{number}.{suffix}" for number in range(1 + len(OTHER_MACHINES))]
+                for name, environment in zip(names, ({}, *OTHER_MACHINES)):
+                    self.expect(0, "figure", scene, "--time", "0.37", "--layers", layers, "-o", name, env={**os.environ, **environment})
+                with self.subTest(scene, suffix=suffix):
+                    self.assertEqual(1, len({pathlib.Path(self.path(name)).read_bytes() for name in names}))
 
     def test_a_comma_locale_changes_nothing(self):
         comma = comma_locale(self.folder)

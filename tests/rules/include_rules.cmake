@@ -44,7 +44,7 @@ may_include("${app_libraries}" toml\\+\\+/ fmt/)
 
 # Each folder of render knows itself and what stands before it; OpenGL, Cairo and libpng have one folder each.
 set(known_render_folders picture raster vector files pipeline)
-set(picture render/picture/ "render/(error|shared_library)\\.h" core/snapshot\\.h ft2build Eigen/ fmt/)
+set(picture render/picture/ "render/(error|shared_library)\\.h" "core/(snapshot|geometry/trig)\\.h" ft2build Eigen/ fmt/)
 set(raster ${picture} render/raster/ GL/)
 set(vector ${picture} render/vector/ "render/files/png\\.h" cairo)  # the texts that pictures carry are those of PNG files
 set(files ${picture} "render/raster/(image|row_set)\\.h" render/files/ png\\.h isa-l)
