@@ -21,7 +21,6 @@ constexpr int most_rubbing_cubes = 12;
 /// Where the user did not choose a step: the first one and the longest, in frames.
 constexpr double first_step = 0.5;
 constexpr double longest_step = 8.0;
-constexpr int looks_per_piece = 4;
 /// Frames after which it is asked again whether what stands is held, at the latest: what gives way for less goes unseen.
 constexpr double held_for = 1.0;
 
@@ -33,6 +32,7 @@ Track::Track(const System& system, const MotionSettings& settings, const MotionP
       policy_(policy),
       only_steps_((system.rubs || system.bounces) && system.cubes > most_rubbing_cubes),
       events_(system, settings),
+      history_(system, settings),
       crowding_(system.cubes, policy_.only_events) {}
 
 void Track::begin_steps(const State& state, double t, double until) {
@@ -52,7 +52,7 @@ void Track::start(const State& state,
                   std::vector<char> resting,
                   const Stepping& stepping) {
   scales_ = scales_of(*system_, state);
-  pieces_.clear();
+  history_.pieces().clear();
   crowding_.begin(scales_.time, t, stepping.patience);
   stepping_ = false;
   part_.reset();
@@ -121,7 +121,7 @@ bool Track::part_from(const State& state, double t, double touching, double long
   piece.begin = t;
   piece.start = begun;
   piece.part = part_;
-  pieces_.push_back(std::move(piece));
+  history_.pieces().push_back(std::move(piece));
   return true;
 }
 
@@ -219,13 +219,13 @@ std::vector<std::string> Track::moving_names() const {
 void Track::follow_events(double limit) {
   const State start = events_.state();
   const double t = events_.clock();
-  const std::size_t pieces = pieces_.size();
+  const std::size_t pieces = history_.pieces().size();
   const std::size_t logged = book_.events.size();
   const std::size_t lost = book_.losses.size();
   const Audit before = book_.audit;
   const Push unexplained_before = book_.unexplained;
   book_.audit.max_overlap = 0.0;
-  events_.advance(limit, pieces_, book_);
+  events_.advance(limit, history_.pieces(), book_);
   if (leaves_overlap(before) || book_.audit.wedged > before.wedged) {
     // An event was missed, or no accelerations lead there. Stepping does not need to know of either.
     const Audit tried = book_.audit;
@@ -235,7 +235,7 @@ void Track::follow_events(double limit) {
     book_.events.resize(logged);
     book_.losses.resize(lost);
     book_.unexplained = unexplained_before;
-    pieces_.resize(pieces);
+    history_.pieces().resize(pieces);
     hand_over(start, t);
     return;
   }
@@ -253,7 +253,7 @@ bool Track::leaves_overlap(const Audit& before) {
 /// Whether events crowd, or the cubes are wedged.
 void Track::consider_events() {
   if (events_.at_rest()) return;
-  const bool touches = !pieces_.back().closed.empty();
+  const bool touches = !history_.pieces().back().closed.empty();
   crowding_.count(events_.clock(), events_.events() - last_events_, touches ? 1 : 0);
   const bool new_phase = events_.events() > last_events_;
   last_events_ = events_.events();
@@ -281,13 +281,13 @@ void Track::step(double limit) {
   // Steps of a user's length are not cut where rest is looked for.
   const double last = policy_.only_steps ? limit : std::min(limit, until_);
   const double end = steps_->advance(clock_, last, book_);
-  pieces_.push_back({MotionPiece::Kind::stepped,
-                     clock_,
-                     end - clock_,
-                     start,
-                     {},
-                     steps_->loaded(),
-                     steps_->record()});
+  history_.pieces().push_back({MotionPiece::Kind::stepped,
+                               clock_,
+                               end - clock_,
+                               start,
+                               {},
+                               steps_->loaded(),
+                               steps_->record()});
   clock_ = end;
   crowding_.count(clock_, static_cast<long>(book_.events.size() - logged), 0);
   if (clock_ >= until_) go_on_or_hand_back();
@@ -334,67 +334,23 @@ void Track::hand_back() {
   follow_from(state, clock_, {touching_tolerance, slowest_motion}, {});
 }
 
-/// Number of the piece in which a time lies; -1 at the clock, and where it is not known.
-std::ptrdiff_t Track::piece_at(double t) const {
-  if (t >= clock()) return -1;
-  const auto after =
-      std::upper_bound(pieces_.begin(), pieces_.end(), t,
-                       [](double time, const MotionPiece& p) { return time < p.begin; });
-  return after - pieces_.begin() - 1;
-}
-
 std::vector<Contact> Track::loaded_at(double t) const {
-  const std::ptrdiff_t k = piece_at(t);
-  if (k < 0 && part_) return part_->loaded_at(t);
+  const std::deque<MotionPiece>& pieces = history_.pieces();
+  const MotionPiece* piece = t < clock() ? history_.piece_at(t) : nullptr;
+  if (piece == nullptr && part_) return part_->loaded_at(t);
   // At the clock of a stepping it is the last step.
-  if (k < 0 && (!stepping_ || pieces_.empty())) return {};
-  const MotionPiece& piece = k < 0 ? pieces_.back() : pieces_[k];
-  if (piece.kind == MotionPiece::Kind::part) return piece.part->loaded_at(t);
-  return piece.kind == MotionPiece::Kind::stepped ? piece.closed : std::vector<Contact>{};
+  if (piece == nullptr && stepping_ && !pieces.empty()) piece = &pieces.back();
+  if (piece == nullptr) return {};
+  if (piece->part) return piece->part->loaded_at(t);
+  return piece->kind == MotionPiece::Kind::stepped ? piece->closed : std::vector<Contact>{};
 }
 
-State Track::at(double t) {
-  const std::ptrdiff_t k = piece_at(t);
-  if (k < 0) return state();
-  const MotionPiece& piece = pieces_[k];
-  if (piece.kind == MotionPiece::Kind::part) return piece.part->at(t);
-  if (t <= piece.begin || piece.kind == MotionPiece::Kind::rest) return piece.start;
-  if (piece.kind == MotionPiece::Kind::smooth) return events_.look(piece, t);
-  if (!look_) look_ = std::make_unique<StepLook>(*system_, settings_);
-  const State& next = k + 1 < std::ssize(pieces_) ? pieces_[k + 1].start : state();
-  return look_->at(piece.start, next, piece.length, (t - piece.begin) / piece.length,
-                   *piece.record);
-}
+State Track::at(double t) { return t < clock() ? history_.at(t, state(), events_) : state(); }
 
-void Track::forget_before(double t) {
-  while (pieces_.size() > 1 && pieces_[1].begin <= t)
-    pieces_.pop_front();
-  if (!pieces_.empty() && pieces_.front().part) pieces_.front().part->forget_before(t);
-}
+void Track::forget_before(double t) { history_.forget_before(t); }
 
 void Track::sweep(double t, std::vector<BoundingBox>& bounds) const {
-  const auto add = [&](const State& state) {
-    for (std::size_t i = 0; i < state.size(); ++i) {
-      bounds[i].include(bounds_around(state[i].position, system_->bodies[i].radius()));
-    }
-  };
-  add(this->state());
-  State state;
-  for (auto piece = pieces_.begin(); piece != pieces_.end(); ++piece) {
-    const auto next = std::next(piece);
-    const double end = next == pieces_.end() ? clock() : next->begin;
-    if (end < t) continue;
-    add(piece->start);
-    if (piece->kind == MotionPiece::Kind::part) piece->part->sweep(t, bounds);
-    if (piece->kind != MotionPiece::Kind::smooth) continue;
-    // Between its ends a smooth piece leaves the chord: it is looked at along the way.
-    const DenseStep motion = motion_of(*system_, *piece);
-    state = piece->start;
-    for (int k = 1; k < looks_per_piece; ++k) {
-      look_at(motion, (end - piece->begin) / piece->length * k / looks_per_piece, state);
-      add(state);
-    }
-  }
+  history_.sweep(t, clock(), state(), bounds);
 }
 
 }  // namespace wuerfel

@@ -2,17 +2,16 @@
 /// steps where events crowd.
 #pragma once
 
-#include <deque>
 #include <limits>
 #include <memory>
 
 #include "core/time/crowding.h"
 #include "core/time/events/event_motion.h"
+#include "core/time/motion_history.h"
 #include "core/time/partial_motion.h"
 #include "core/time/policy.h"
 #include "core/time/restart_point.h"
 #include "core/time/stepping/controlled_stepping.h"
-#include "core/time/stepping/step_look.h"
 
 namespace wuerfel {
 
@@ -66,7 +65,6 @@ class Track {
   void sweep(double t, std::vector<BoundingBox>& bounds) const;
 
  private:
-  [[nodiscard]] std::ptrdiff_t piece_at(double t) const;
   void follow_events(double limit);
   [[nodiscard]] std::vector<std::string> moving_names() const;
   bool rest_from(const State& state, double t, double touching, std::vector<char> resting);
@@ -95,16 +93,15 @@ class Track {
   MotionPolicy policy_;
   bool only_steps_ = false;  ///< large groups that rub or bounce
   EventMotion events_;
+  MotionHistory history_;
   std::unique_ptr<ControlledStepping> steps_;  ///< none before the first step
-  std::unique_ptr<StepLook> look_;             ///< none before the first look between steps
   std::unique_ptr<Workspace> work_;      ///< of parts; none before the first one was looked for
   std::shared_ptr<PartialMotion> part_;  ///< that moves
   Scales scales_;
   bool stepping_ = false;
   std::vector<char> moving_;  ///< nobody rests while stepping
   double clock_ = 0.0;        ///< s, of the stepping
-  std::deque<MotionPiece> pieces_;
-  double until_ = 0.0;  ///< s, end of the stepping
+  double until_ = 0.0;        ///< s, end of the stepping
   Crowding crowding_;
   long last_events_ = 0;  ///< of `events_`, when they were counted last
   Bookkeeping book_;

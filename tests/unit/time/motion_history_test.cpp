@@ -1,0 +1,63 @@
+// What is known of a motion, until it is forgotten. Also track_test.cpp.
+#include "core/time/motion_history.h"
+
+#include <gtest/gtest.h>
+
+#include "core/scene/scene_parser.h"
+#include "tests/support/scenes.h"
+
+namespace wuerfel::test {
+namespace {
+
+/// A cube that rests at x = 0 from 1 s on and at x = 5 from 2 s on.
+class MovedRest : public testing::Test {
+ protected:
+  MovedRest() {
+    for (const double x : {0.0, 5.0}) {
+      MotionPiece piece;
+      piece.kind = MotionPiece::Kind::rest;
+      piece.begin = 1.0 + x / 5.0;
+      piece.start = mechanism_.state;
+      piece.start[0].position.x() = x;
+      history_.pieces().push_back(piece);
+    }
+    end_ = history_.pieces().back().start;
+    end_[0].position.x() = 7.0;
+  }
+  double x_at(double t) { return history_.at(t, end_, events_)[0].position.x(); }
+
+  Mechanism mechanism_{on_floor({cube("a", {0.0, 0.5})})};
+  EventMotion events_{mechanism_.system, {}};
+  MotionHistory history_{mechanism_.system, {}};
+  State end_;
+};
+
+TEST_F(MovedRest, PiecesLastUntilTheNextOneBegins) {
+  EXPECT_EQ(x_at(1.0), 0.0);
+  EXPECT_EQ(x_at(1.999), 0.0);
+  EXPECT_EQ(x_at(2.0), 5.0);
+  EXPECT_EQ(history_.piece_at(9.0), &history_.pieces().back());
+}
+
+TEST_F(MovedRest, OfWhatIsNotKnownTheEndIsTold) {
+  EXPECT_EQ(history_.piece_at(0.5), nullptr);
+  EXPECT_EQ(x_at(0.5), 7.0);
+  history_.forget_before(2.5);
+  EXPECT_EQ(history_.pieces().size(), 1);
+  EXPECT_EQ(x_at(1.5), 7.0);
+}
+
+TEST_F(MovedRest, SweepsWhatLastsBeyondATime) {
+  const double radius = mechanism_.system.bodies[0].radius();
+  const auto swept_since = [&](double t) {
+    std::vector<BoundingBox> bounds(1, {end_[0].position, end_[0].position});
+    history_.sweep(t, 3.0, end_, bounds);
+    EXPECT_EQ(bounds[0].high.x(), 7.0 + radius);
+    return bounds[0].low.x();
+  };
+  EXPECT_EQ(swept_since(1.5), -radius);
+  EXPECT_EQ(swept_since(2.5), 5.0 - radius);
+}
+
+}  // namespace
+}  // namespace wuerfel::test
