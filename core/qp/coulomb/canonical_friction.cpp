@@ -88,10 +88,11 @@ std::vector<bool> find_unique(ForceProblem& p, const std::vector<Pair>& least) {
   double force = 0.0;
   for (const Pair& l : canonical)
     force = std::max({force, std::abs(l.n), std::abs(l.t)});
+  if (force == 0.0) force = 1.0;  // what is braced presses as hard as it likes
   std::vector<bool> unique(canonical.size(), true);
   Dice dice(canonical.size());
   std::vector<Pair> wish(canonical.size());
-  bool searched = false;
+  bool searched = !any_carries(p, unique);
   for (const double size : wish_sizes) {
     if (!any_carries(p, unique)) break;
     for (Pair& w : wish)

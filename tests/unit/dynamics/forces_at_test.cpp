@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
@@ -51,6 +52,33 @@ TEST(ForcesAt, OfTwoCubesFollowTheLever) {
   EXPECT_TRUE(found.at_rest);
   EXPECT_TRUE(found.solved);
   EXPECT_LE(found.residual, 1e-13);
+}
+
+//  ##+--+##   What nothing presses together presses as hard as it likes between two walls, and not at all where it falls away
+//  ##|  |##   from the floor: the former forces are not the only ones, the latter are.
+//  ##+--+##
+TEST(ForcesAt, OfWhatIsNotPressedAreManyOnlyWhereItIsBraced) {
+  for (const double mu : {0.0, 0.3}) {
+    for (const bool braced : {false, true}) {
+      Scene scene = on_floor({cube("a", {0.0, 0.5})});
+      scene.gravity = {0.0, braced ? 0.0 : g};
+      if (braced) {
+        for (const double x : {-1.0, 1.0})
+          scene.fixed.push_back(post(x < 0.0 ? "left" : "right", {x, 0.5}, {1.0, 1.0}));
+      }
+      set_friction(mu, scene);
+      const InstantForces found = look(scene);
+      ASSERT_EQ(found.islands.size(), 1U);
+      const IslandForces& of = found.islands.front();
+      for (std::size_t k = 0; k < of.forces.force.size(); ++k) {
+        EXPECT_EQ(of.forces.force[k], 0.0);
+        const bool at_wall = of.island.contacts[k].normal.y() == 0.0;
+        if (at_wall || !braced) {
+          EXPECT_EQ(of.forces.unique[k] != 0, !braced) << mu << ' ' << k;
+        }
+      }
+    }
+  }
 }
 
 //   +---------------+      A beam of weight 2 P on two cubes of weight W. With a and b the forces of
