@@ -4,60 +4,16 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/words/naming.h"
+
 namespace wuerfel {
 
 namespace {
 
-/// A cause names its cubes one by one up to so many.
-constexpr std::size_t most_names = 3;
 /// Causes and moving parts that are told; the rest follows from them.
 constexpr std::size_t most_told = 4;
 /// A margin that is none, as a share of the smaller side.
 constexpr double knife_edge = 1e-9;
-
-std::vector<std::string> names_of(const StillScene& still, const std::vector<int>& bodies) {
-  std::vector<std::string> names;
-  names.reserve(bodies.size());
-  for (const int body : bodies)
-    names.push_back(still.system.body(body).name);
-  return names;
-}
-
-std::string part_name(const StillScene& still,
-                      const std::vector<int>& cubes,
-                      int base,
-                      Language language) {
-  if (cubes.size() <= most_names) return list_in(language, names_of(still, cubes));
-  return say_in(
-      language, Phrase::with_many,
-      {{"body", still.system.body(base).name}, {"count", std::to_string(cubes.size() - 1)}});
-}
-
-std::string side_name(int sense, Language language) {
-  return say_in(language, sense < 0 ? Phrase::left : Phrase::right);
-}
-
-std::string way_name(int sense, Language language) {
-  return say_in(language, sense < 0   ? Phrase::to_the_left
-                          : sense > 0 ? Phrase::to_the_right
-                                      : Phrase::downwards);
-}
-
-/// Up, down, left or right, whichever a direction is nearest to.
-Phrase direction_of(const StillScene& still, const Vec2& v) {
-  const double right = v.dot(still.right());
-  const double down = v.dot(still.down());
-  if (std::abs(right) > std::abs(down))
-    return right > 0.0 ? Phrase::to_the_right : Phrase::to_the_left;
-  return down > 0.0 ? Phrase::downwards : Phrase::upwards;
-}
-
-Phrase corner_of(const StillScene& still, int cube, const Vec2& point) {
-  const Vec2 arm = point - still.state[cube].position;
-  const bool right = arm.dot(still.right()) > 0.0;
-  if (arm.dot(still.down()) > 0.0) return right ? Phrase::lower_right : Phrase::lower_left;
-  return right ? Phrase::upper_right : Phrase::upper_left;
-}
 
 /// Whether the part is told as several cubes; of many one stands for all.
 bool is_many(const Cause& cause) {

@@ -139,6 +139,21 @@ class Explain(ProgramTest):
             x = 0.6 + share * move["distance"]
             self.expect(code, "check", self.scene(FALLING), "--set", f"cube.b.position=[{x!r}, 1.5]")
 
+    def test_corners_are_named_as_the_sides_of_a_leaning_body_lie(self):
+        s = math.sqrt(0.5)  # two bars of 45 degrees, hinged at their heads
+        bar = {"size": [2, 0.2], "density": 2500, "friction": 0.4}
+        frame = {"version": 1, "plane": [{"name": "ground", "friction": 0.4}],
+                 "cube": [{"name": name, "angle_deg": -45 * side, "position": [side * s, 1.1 * s], **bar}
+                          for name, side in (("left", -1), ("right", 1))],
+                 "pin": [{"from": "left.e", "to": "right.w", "collide": False}]}
+        answer = self.explain(frame)
+        left = next(f for f in answer["fixes"] if f["body"] == "left")
+        for k, at in enumerate((0.1 * s, 1.9 * s + 0.1 * s)):
+            self.assertAlmostEqual(left["point"][k], at, places=9)
+        # By hand: what lifts the crown there by F leaves H = 0.4286 W - 0.4762 F, of which 0.4 (W - 0.5263 F) is to be had.
+        self.assertAlmostEqual(left["force"][1] / (1000 * G), 0.10755, places=4)
+        self.assertTrue(any("at the lower right corner of left" in text for text in answer["text"]), answer["text"])
+
     def test_both_languages(self):
         scene = self.scene(FALLING)
         self.assertIn("tips to the right", self.expect(1, "explain", scene).stdout)
