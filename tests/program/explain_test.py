@@ -154,6 +154,18 @@ class Explain(ProgramTest):
         self.assertAlmostEqual(left["force"][1] / (1000 * G), 0.10755, places=4)
         self.assertTrue(any("at the lower right corner of left" in text for text in answer["text"]), answer["text"])
 
+    def test_all_that_gives_way_together_is_told(self):
+        side = [{"name": f"{name}{k}", "size": [1, 0.25], "position": [sign * x, 0.125 + 0.25 * k]}
+                for name, sign in (("l", -1), ("r", 1)) for k, x in enumerate((2, 1.85, 1.55, 1.1, 0.5))]
+        arch = {"version": 1, "material": {"friction": 0.6}, "plane": [{"name": "ground"}],
+                "cube": [*side, {"name": "key", "size": [1.2, 0.25], "position": [0, 1.375]}]}
+        told = self.explain(arch)
+        self.assertEqual(len(told["mechanism"]), 5)
+        moving = [text for text in told["text"] if "of the work" in text]
+        self.assertAlmostEqual(sum(int(text.split("does ")[1].split(" %")[0]) for text in moving), 100, delta=2)
+        self.assertIn("l2 and l3 turn to the right, part from l1; their weight does", moving[0])
+        self.assertIn("l2 und l3 drehen sich nach rechts, lösen sich von l1", self.explain(arch, "--language", "de")["text"][1])
+
     def test_both_languages(self):
         scene = self.scene(FALLING)
         self.assertIn("tips to the right", self.expect(1, "explain", scene).stdout)
