@@ -153,17 +153,29 @@ void tell_margin(const Explanation& e, Language language, std::vector<std::strin
                          {"length", length_in(language, most)}}));
 }
 
+void tell_tilt(const std::optional<TiltMargin>& tilt,
+               Phrase phrase,
+               Language language,
+               std::vector<std::string>& text) {
+  if (!tilt) return;
+  text.push_back(say_in(language, phrase,
+                        {{"to_left", angle_in(language, tilt->left)},
+                         {"to_right", angle_in(language, tilt->right)}}));
+}
+
 void tell_stand(const Explanation& e, Language language, std::vector<std::string>& text) {
   const bool needs_friction = e.check.facts && !e.check.facts->stands_without_friction;
   text.push_back(say_in(language, needs_friction ? Phrase::equilibrium : Phrase::stands));
   if (e.check.facts && e.check.facts->fall_also_possible)
     text.push_back(say_in(language, Phrase::fall_also_possible));
   tell_margin(e, language, text);
-  if (e.tilt) {
-    text.push_back(say_in(language, Phrase::tilt,
-                          {{"to_left", angle_in(language, e.tilt->left)},
-                           {"to_right", angle_in(language, e.tilt->right)}}));
-  }
+  tell_tilt(e.tilt_given, Phrase::tilt_given, language, text);
+  tell_tilt(e.tilt, Phrase::tilt, language, text);
+}
+
+std::optional<TiltMargin> largest_tilt(const StillScene& still, Sliding sliding) {
+  const LoadRange range = tilt_range(still, sliding);
+  return is_empty(range) ? std::nullopt : std::optional(tilt_angles(range));
 }
 
 std::vector<std::string> moving_names(const Scene& scene) {
@@ -237,8 +249,8 @@ Explanation explain(const Scene& scene, const MotionSettings& settings) {
     return e;
   }
   e.weakest = find_weakest(*e.still);
-  const LoadRange tilt = tilt_range(*e.still, Sliding::none);
-  if (!is_empty(tilt)) e.tilt = tilt_angles(tilt);
+  if (e.still->system.rubs) e.tilt_given = largest_tilt(*e.still, Sliding::given);
+  e.tilt = largest_tilt(*e.still, Sliding::none);
   return e;
 }
 

@@ -40,6 +40,12 @@ constexpr std::array templates{
              "Jedes Verschieben des Gewichts von {body} setzt es in Bewegung."},
     Template{Phrase::no_weakest, "No shift of a weight makes it fall.",
              "Kein Verschieben eines Gewichts bringt es zu Fall."},
+    Template{
+        Phrase::tilt_given,
+        "Forces that hold it exist up to a tilt of {to_left} to the left and {to_right} to the "
+        "right.",
+        "Kräfte, die es halten, gibt es bis zu einer Neigung von {to_left} nach links und "
+        "{to_right} nach rechts."},
     Template{Phrase::tilt,
              "If nothing could slide, it would stand up to a tilt of {to_left} to the left and "
              "{to_right} to the right.",

@@ -23,6 +23,7 @@ enum class Phrase {
   knife_edge,
   no_shift,
   no_weakest,
+  tilt_given,
   tilt,
   no_tilt,
   any_tilt,

@@ -180,6 +180,14 @@ class Explain(ProgramTest):
         self.assertIn("It stands.", answer["text"])
         self.assertIn("a is moving from the start.", self.expect(1, "explain", self.scene(FLYING)).stdout)
 
+    def test_where_something_rubs_the_tilt_is_that_of_friction(self):
+        block = {"version": 1, "material": {"friction": 0.5}, "plane": [{"name": "floor"}],
+                 "cube": [{"name": "b", "size": [1, 0.5], "on": "floor"}]}
+        text = self.explain(block, code=0)["text"]
+        self.assertIn("Forces that hold it exist up to a tilt of 26.6° to the left and 26.6° to the right.", text)  # atan 0.5
+        self.assertIn("If nothing could slide, it would stand up to a tilt of 63.4° to the left and 63.4° to the right.", text)
+        self.assertFalse(any("Forces that" in line for line in self.explain(TOWER, code=0)["text"]))
+
     def test_facts_where_something_rubs(self):
         answer = self.explain(RUBBING, code=0)
         self.assertEqual(answer["facts"], {"equilibrium_exists": True, "acceleration_zero": True})
