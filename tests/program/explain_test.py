@@ -99,6 +99,17 @@ class Margins(ProgramTest):
             self.assertEqual({line[column:column + 6].strip() for line in lines[1:]}, {"cap", "ground"})
             self.assertEqual(len({len(line) for line in lines}), 1, table)
 
+    def test_what_does_not_move_and_what_does_not_press_is_no_rounding(self):
+        wall = {"version": 1, "material": {"friction": 0.6}, "plane": [{"name": "ground"}],
+                "wall": [{"name": "w", "rows": 6, "columns": 3, "size": [0.4, 0.2], "density": 2400, "on": "ground"}]}
+        self.assertNotRegex(self.expect(0, "check", self.scene(wall)).stdout, r"e-1\d")
+        slides = {"version": 1, "material": {"friction": 0.6}, "plane": [{"name": "ground"}],
+                  "cube": [{"name": "base", "size": [1, 0.25], "on": "ground"},
+                           {"name": "tips", "size": [1, 0.25], "on": "base", "offset": 0.6}]}
+        text = self.expect(1, "check", self.scene(slides)).stdout
+        self.assertIn("  tips: ", text)
+        self.assertNotRegex(text, r"  base: .*e-1\d")
+
     def test_names_that_are_not_there(self):
         scene = self.scene(TOWER)
         self.assertIn("there is no cube 'd1'; did you mean", self.expect(2, "check", scene, "--margin", "--bodies", "d1").stderr)
