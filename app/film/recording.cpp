@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/picture/frame_options.h"
+#include "render/picture/impacts.h"
 
 namespace wuerfel {
 
@@ -71,7 +72,7 @@ void MotionRange::include(const Snapshot& snapshot) {
 }
 
 void MotionRange::notice(const Snapshot& snapshot) {
-  if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
+  if (shows_impacts(snapshot)) seen.insert(LegendEntry::impact);
   if (!snapshot.mechanism.empty()) seen.insert(LegendEntry::mechanism);
   if (!snapshot.causes.empty()) seen.insert(LegendEntry::cause);
   for (const SnapshotSide& side : snapshot.sides)
