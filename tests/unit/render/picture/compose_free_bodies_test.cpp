@@ -33,6 +33,14 @@ class FreeBodies : public Composition {
   }
 };
 
+TEST_F(FreeBodies, ForcesTooSmallForAnArrowHaveTheirNumbers) {
+  snapshot.joints.front().force = Vec2(0.0, 0.123);
+  const Layers layers{Layer::cubes, Layer::forces, Layer::weights, Layer::values};
+  EXPECT_EQ(numbers(compose(layers), "123 mN"), 1) << "the other body is the floor";
+  snapshot.boxes.front().mass = 0.0234 / snapshot.gravity.norm();
+  EXPECT_EQ(numbers(compose(layers), "23.4 mN"), 1);
+}
+
 TEST_F(FreeBodies, NumbersKeepOffPins) {
   const SnapshotBox& box = snapshot.boxes.front();
   snapshot.joints.clear();
