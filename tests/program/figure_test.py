@@ -71,6 +71,17 @@ class Formats(ProgramTest):
         with open(self.path("f.svg")) as file:
             self.assertIn('width="84mm"', file.read())
         self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+
+    def test_small_print_on_paper_is_noted(self):
+        def notes(*options):
+            return self.expect(0, "figure", self.scene(STANDING), "-o", "f.pdf", *options).stderr
+        # 14 px of 1280 on 84 mm: 0.919 mm, 2.6 pt.
+        self.assertIn("letters of 2.6 pt on paper are hard to read: --scale 2.0 makes them 5 pt", notes("--width", "84mm"))
+        self.assertIn("take a larger --width", notes("--width", "10mm"))
+        for fine in ((), ("--width", "84mm", "--scale", "2"), ("--width", "180mm")):
+            self.assertEqual(notes(*fine), "")
+
+    def test_pixels_have_no_width_on_paper(self):
         self.assertIn("--width", self.expect(2, "figure", self.scene(STANDING), "--width", "84mm", "-o", "f.png").stderr)
 
     def test_height_by_content(self):
