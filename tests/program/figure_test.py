@@ -130,6 +130,19 @@ class Formats(ProgramTest):
         self.assertLess(float(view.split(",")[2]), 30)
         self.assertNotIn("--view", self.expect(0, "figure", scene, "-o", "f.png", "--view", view).stderr)
 
+    def test_a_legend_has_no_force_where_none_occurs(self):
+        def texts(time):
+            self.expect(0, "figure", "tilted_drop", "-t", time, "-o", "f.svg")
+            with open(self.path("f.svg")) as file:
+                drawn = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+            self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+            return drawn
+        self.assertFalse({"10 N", "thrust"} & set(texts("0.1")), "it flies")
+        self.assertLessEqual({"10 N", "thrust"}, set(texts("1")))
+        rods = self.call("figure", "newtons_cradle", "--explode", "0.3", "-o", "g.svg")
+        self.assertEqual(rods.returncode, 0, rods.stderr)
+        self.assertIn(">10 N<", self.content("g.svg"))
+
     def test_a_strip_has_one_legend(self):
         self.expect(0, "figure", self.scene(STANDING), "--strip", "2x1", "-o", "f.svg")
         with open(self.path("f.svg")) as file:
