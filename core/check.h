@@ -19,7 +19,9 @@ struct ContactForce {
   Vec2 normal = Vec2::UnitY();  ///< unit vector into `on`
   double force = 0.0;           ///< N, >= 0, acts on `on` along `normal`
   double tangential = 0.0;      ///< N, along `normal` turned left
-  bool unique = true;           ///< whether no other force at this point is possible
+  /// Whether no other `force` is possible here, and no other `tangential` but for a share of it that flush sides
+  /// can pass to each other's corners.
+  bool unique = true;
 };
 
 struct RodForce {

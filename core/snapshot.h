@@ -54,6 +54,7 @@ struct SnapshotForce {
   int body = -1;
   bool unique = true;  ///< no other force is possible there; known where it is asked for
   std::optional<SnapshotRange> range{};  ///< of the force across the side; as with `unique`
+  int other = -1;                        ///< of the body that pushes, as of joints; -1 if unknown
   bool operator==(const SnapshotForce&) const = default;
 };
 

@@ -121,9 +121,12 @@ std::string certificate_text(const Scene& scene, const Check& answer) {
       "virtual "
       "motion\n";
   const System system = make_system(scene);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < answer.certificate.size(); ++i)
+    largest = std::max(largest, size_of(system.bodies[i], answer.certificate[i]));
   for (std::size_t i = 0; i < answer.certificate.size(); ++i) {
     const Twist& a = answer.certificate[i];
-    if (a.linear.isZero(0.0) && a.angular == 0.0) continue;
+    if (rounded(size_of(system.bodies[i], a), largest) == 0.0) continue;
     text += fmt::format("  {}: {}\n", moving_name(scene, static_cast<int>(i)),
                         acceleration_text(system.bodies[i], a));
   }
@@ -197,7 +200,7 @@ std::string contacts_text(const Scene& scene, const Check& answer) {
     text += fmt::format("{:<{}} {:<{}} {:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g}{}\n", contact.on,
                         on.width(), contact.from, from.width(),
                         rounded(contact.point.x(), farthest), rounded(contact.point.y(), farthest),
-                        rounded(contact.force, largest), rounded(contact.tangential, contact.force),
+                        rounded(contact.force, largest), rounded(contact.tangential, largest),
                         contact.unique ? "" : "  not the only one possible");
   }
   return text;

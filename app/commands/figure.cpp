@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <unistd.h>
 
@@ -66,6 +67,27 @@ std::vector<double> times_of(const FigureOptions& asked, const Scene& scene) {
   return times;
 }
 
+// Letters that are fine on a screen are specks in a column of a journal.
+void note_small_print(const Still& still, const FigureOptions& asked, Notes& notes) {
+  constexpr double readable = 5.0;  // pt
+  constexpr double largest_scale = 8.0;
+  double least = 1e300;
+  const auto look = [&least](const DrawList& list) {
+    for (const TextShape& text : list.texts)
+      least = std::min(least, static_cast<double>(text.size));
+  };
+  look(still.page);
+  for (const PlacedList& cell : still.cells)
+    look(cell.list);
+  const double points = least * asked.width_mm / still.page.width * 72.0 / 25.4;
+  if (asked.width_mm <= 0.0 || points >= readable || least == 1e300) return;
+  const double scale = std::ceil(10.0 * asked.still.picture.scale * readable / points) / 10.0;
+  const std::string remedy =
+      scale > largest_scale ? std::string("take a larger --width")
+                            : fmt::format("--scale {:.1f} makes them {:.0f} pt", scale, readable);
+  notes.add(fmt::format("letters of {:.1f} pt on paper are hard to read: {}", points, remedy));
+}
+
 std::vector<std::uint8_t> encode(const Still& still, const FigureOptions& asked, Font& font) {
   FigureTexts texts = still.texts;
   texts.width_mm = asked.width_mm;
@@ -111,6 +133,7 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
                     still.legend_left_out));
   }
   if (!still.hint.empty()) notes.add(still.hint);
+  note_small_print(still, asked, notes);
   output.write(encode(still, asked, font));
   output.finish();
   return still.accuracy.verdict(notes);

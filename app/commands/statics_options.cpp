@@ -84,7 +84,8 @@ std::vector<int> cubes_named(const Scene& scene, const std::vector<std::string>&
 void add_statics_options(Options& options, StaticsRequest& request) {
   options.optional_value(
       "--margin", "tilt,load,shift,move",
-      "how nearly it stands or falls: angles, loads, shifts of weights, moves of cubes [all]",
+      "how nearly it stands or falls: angles, loads, shifts of weights, moves of cubes with what "
+      "they carry [all]",
       names_margins, [&request](const std::string& text) { request.margin = parse_margins(text); });
   options.flag("--ranges", "which forces are possible, of contacts and of faces", request.ranges);
   options.single("--bodies", "A,B,..", "margins and ranges of these cubes only",

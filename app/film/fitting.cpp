@@ -139,7 +139,7 @@ Legend legend_of(const PictureOptions& fitted, const MotionRange& range) {
                                                           : 0.0;
   const double top = fitted.color_top.value_or(0.0);
   if (top > 0.0 && most > top * (1.0 + 1e-9)) legend.insert(LegendEntry::above);
-  legend.insert(LegendEntry::contact);
+  if (fitted.explode > 0.0 && range.linked) legend.insert(LegendEntry::contact);
   if (fitted.layers.has(Layer::accelerations) && range.gravity > 0.0
       && range.largest_acceleration > most_gravities * range.gravity)
     legend.insert(LegendEntry::cut);

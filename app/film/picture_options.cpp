@@ -126,7 +126,8 @@ std::string option_text(const PictureOptions& fitted) {
   if (fitted.rod_scale) text += fmt::format(" --rod-scale {}", *fitted.rod_scale);
   if (fitted.color_by) text += fmt::format(" --color {}", to_string(*fitted.color_by));
   if (fitted.color_top) text += fmt::format(" --color-top {}", *fitted.color_top);
-  if (fitted.legend) text += fmt::format(" --legend {}", to_string(*fitted.legend));
+  if (fitted.legend && *fitted.legend != Legend{})
+    text += fmt::format(" --legend {}", to_string(*fitted.legend));
   if (fitted.explode > 0.0) text += fmt::format(" --explode {}", fitted.explode);
   if (fitted.average) text += fmt::format(" --average {}", *fitted.average);
   return text;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/picture/frame_options.h"
+#include "render/picture/impacts.h"
 
 namespace wuerfel {
 
@@ -59,8 +60,10 @@ void MotionRange::include(const Snapshot& snapshot) {
     fastest = std::max({fastest, contact.v_i.norm(), contact.v_j.norm(), contact.v_k.norm()});
   for (const SnapshotRod& rod : snapshot.rods)
     largest_rod = std::max(largest_rod, std::abs(rod.tension));
-  for (const SnapshotLink& link : snapshot.links)
+  for (const SnapshotLink& link : snapshot.links) {
     largest_rod = std::max(largest_rod, std::abs(link.tension));
+    linked = linked || !link.force.isZero(0.0);
+  }
   for (const SnapshotBox& box : snapshot.boxes)
     largest_acceleration = std::max(largest_acceleration, box.acceleration.norm());
   gravity = snapshot.gravity.norm();
@@ -71,7 +74,8 @@ void MotionRange::include(const Snapshot& snapshot) {
 }
 
 void MotionRange::notice(const Snapshot& snapshot) {
-  if (!snapshot.impacts.empty()) seen.insert(LegendEntry::impact);
+  if (!snapshot.joints.empty() || !snapshot.forces.empty()) seen.insert(LegendEntry::contact);
+  if (shows_impacts(snapshot)) seen.insert(LegendEntry::impact);
   if (!snapshot.mechanism.empty()) seen.insert(LegendEntry::mechanism);
   if (!snapshot.causes.empty()) seen.insert(LegendEntry::cause);
   for (const SnapshotSide& side : snapshot.sides)

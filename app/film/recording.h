@@ -50,6 +50,7 @@ struct MotionRange {
   double largest_load = 0.0;          ///< N, that its colour tells
   double most_possible = 0.0;         ///< N, of the ranges of forces; may be infinite
   Legend seen;                        ///< kinds of forces
+  bool linked = false;                ///< a rod or a pin bears a force
 
   void include(const Snapshot& snapshot);
 

@@ -32,15 +32,29 @@ std::string quoted(const std::string& name) {
   return text + '"';
 }
 
-std::string pushed(const Snapshot& snapshot, const SnapshotForce& force) {
-  return force.body < 0 ? std::string() : quoted(snapshot.boxes[force.body].name);
+/// Of a box, or of a plane behind them; points are not known.
+std::string name_of(const Snapshot& snapshot, int body) {
+  const int boxes = static_cast<int>(snapshot.boxes.size());
+  if (body < 0) return {};
+  return quoted(body < boxes ? snapshot.boxes[body].name : snapshot.planes[body - boxes].name);
+}
+
+/// A row of the table of forces. Adding 0 turns -0 into 0.
+std::string force_row(const Snapshot& snapshot,
+                      std::string_view on,
+                      std::string_view from,
+                      std::string_view kind,
+                      const Vec2& place,
+                      const Vec2& force) {
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", snapshot.time, on, from, kind, place.x(),
+                     place.y(), force.x() + 0.0, force.y() + 0.0, snapshot.force_residual);
 }
 
 }  // namespace
 
 Tables::Tables(const std::string& states, const std::string& forces, const std::string& events) {
   if (!states.empty()) states_.emplace(states).write("t,body,x,y,theta,vx,vy,omega\n");
-  if (!forces.empty()) forces_.emplace(forces).write("t,on,kind,x,y,fx,fy,kkt_residual\n");
+  if (!forces.empty()) forces_.emplace(forces).write("t,on,from,kind,x,y,fx,fy,kkt_residual\n");
   if (!events.empty()) events_.emplace(events);
 }
 
@@ -58,9 +72,9 @@ void Tables::add_states(double t, const Scene& scene, const State& states) {
 void Tables::add_forces(const Snapshot& snapshot) {
   if (!forces_) return;
   for (const SnapshotForce& force : snapshot.forces) {
-    forces_->write(fmt::format("{},{},{},{},{},{},{},{}\n", snapshot.time, pushed(snapshot, force),
-                               kind_name(force.kind), force.point.x(), force.point.y(),
-                               force.force.x(), force.force.y(), snapshot.force_residual));
+    forces_->write(force_row(snapshot, name_of(snapshot, force.body),
+                             name_of(snapshot, force.other), kind_name(force.kind), force.point,
+                             force.force));
   }
   add_links(snapshot);
 }
@@ -70,14 +84,14 @@ void Tables::add_links(const Snapshot& snapshot) {
     const std::string_view kind = link.pin             ? "pin"
                                   : link.tension < 0.0 ? kind_name(ForceKind::rod_compression)
                                                        : kind_name(ForceKind::rod_tension);
-    const auto write = [&](const std::string& body, const Vec2& place, const Vec2& force) {
-      if (body.empty()) return;
-      forces_->write(fmt::format("{},{},{},{},{},{},{},{}\n", snapshot.time, quoted(body), kind,
-                                 place.x(), place.y(), force.x(), force.y(),
-                                 snapshot.force_residual));
+    const auto write = [&](int end, const Vec2& place, const Vec2& force) {
+      const std::string& on = link.bodies.at(end);
+      if (on.empty()) return;
+      const std::string from = quoted(link.bodies.at(1 - end));
+      forces_->write(force_row(snapshot, quoted(on), from, kind, place, force));
     };
-    write(link.bodies[0], link.a, link.force);
-    write(link.bodies[1], link.b, -link.force);
+    write(0, link.a, link.force);
+    write(1, link.b, -link.force);
   }
 }
 

@@ -4,64 +4,25 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/words/naming.h"
+
 namespace wuerfel {
 
 namespace {
 
-/// A cause names its cubes one by one up to so many.
-constexpr std::size_t most_names = 3;
 /// Causes and moving parts that are told; the rest follows from them.
 constexpr std::size_t most_told = 4;
 /// A margin that is none, as a share of the smaller side.
 constexpr double knife_edge = 1e-9;
 
-std::vector<std::string> names_of(const StillScene& still, const std::vector<int>& bodies) {
-  std::vector<std::string> names;
-  names.reserve(bodies.size());
-  for (const int body : bodies)
-    names.push_back(still.system.body(body).name);
-  return names;
-}
-
-std::string part_name(const StillScene& still,
-                      const std::vector<int>& cubes,
-                      int base,
-                      Language language) {
-  if (cubes.size() <= most_names) return list_in(language, names_of(still, cubes));
-  return say_in(
-      language, Phrase::with_many,
-      {{"body", still.system.body(base).name}, {"count", std::to_string(cubes.size() - 1)}});
-}
-
-std::string side_name(int sense, Language language) {
-  return say_in(language, sense < 0 ? Phrase::left : Phrase::right);
-}
-
-std::string way_name(int sense, Language language) {
-  return say_in(language, sense < 0   ? Phrase::to_the_left
-                          : sense > 0 ? Phrase::to_the_right
-                                      : Phrase::downwards);
-}
-
-/// Up, down, left or right, whichever a direction is nearest to.
-Phrase direction_of(const StillScene& still, const Vec2& v) {
-  const double right = v.dot(still.right());
-  const double down = v.dot(still.down());
-  if (std::abs(right) > std::abs(down))
-    return right > 0.0 ? Phrase::to_the_right : Phrase::to_the_left;
-  return down > 0.0 ? Phrase::downwards : Phrase::upwards;
-}
-
-Phrase corner_of(const StillScene& still, int cube, const Vec2& point) {
-  const Vec2 arm = point - still.state[cube].position;
-  const bool right = arm.dot(still.right()) > 0.0;
-  if (arm.dot(still.down()) > 0.0) return right ? Phrase::lower_right : Phrase::lower_left;
-  return right ? Phrase::upper_right : Phrase::upper_left;
-}
-
 /// Whether the part is told as several cubes; of many one stands for all.
-bool is_many(const Cause& cause) {
-  return cause.part.cubes.size() > 1 && cause.part.cubes.size() <= most_names;
+bool is_many(const std::vector<int>& cubes) {
+  return cubes.size() > 1 && cubes.size() <= most_names;
+}
+
+/// How many of so many are told: of one more than most there is no "1 more".
+std::size_t told_of(std::size_t count) {
+  return count == most_told + 1 ? count : std::min(count, most_told);
 }
 
 std::string tip_sentence(const StillScene& still,
@@ -70,7 +31,7 @@ std::string tip_sentence(const StillScene& still,
                          Language language) {
   const Contact& c = still.found.islands[cause.island].island.contacts[*cause.part.pivot];
   const bool own = std::ranges::binary_search(cause.part.cubes, c.on);
-  const bool many = is_many(cause);
+  const bool many = is_many(cause.part.cubes);
   const Phrase corner = !own ? Phrase::corner_of : many ? Phrase::own_corners : Phrase::own_corner;
   const std::string on = list_in(language, names_of(still, cause.on));
   return say_in(language, many ? Phrase::tip : Phrase::tips,
@@ -96,19 +57,24 @@ std::pair<Phrase, Phrase> loss_phrases(const StillScene& still, const Cause& cau
 std::string moving_part_sentence(const StillScene& still,
                                  const MovingPart& part,
                                  Language language) {
+  const bool many = is_many(part.cubes);
   std::string partners;
   if (!part.opens.empty()) {
-    partners = say_in(language, Phrase::parts_from,
+    partners = say_in(language, many ? Phrase::part_from : Phrase::parts_from,
                       {{"names", list_in(language, names_of(still, part.opens))}});
   }
   // What does nothing of the work worth telling is only carried along.
   constexpr double share_told = 0.005;
   std::string work;
   if (std::abs(part.work_share) >= share_told) {
-    work = say_in(language, part.work_share < 0.0 ? Phrase::takes_work : Phrase::gives_work,
+    const Phrase takes = many ? Phrase::take_work : Phrase::takes_work;
+    const Phrase gives = many ? Phrase::give_work : Phrase::gives_work;
+    work = say_in(language, part.work_share < 0.0 ? takes : gives,
                   {{"share", percent_in(language, std::abs(part.work_share))}});
   }
-  return say_in(language, part.turn != 0 ? Phrase::turns : Phrase::goes,
+  const Phrase turns = many ? Phrase::turn : Phrase::turns;
+  const Phrase goes = many ? Phrase::go : Phrase::goes;
+  return say_in(language, part.turn != 0 ? turns : goes,
                 {{"part", part_name(still, part.cubes, part.cubes.front(), language)},
                  {"side", say_in(language, part.turn > 0 ? Phrase::left : Phrase::right)},
                  {"way", say_in(language, direction_of(still, part.motion.linear))},
@@ -139,7 +105,7 @@ void tell_causes(const StillScene& still,
                  std::vector<std::string>& text) {
   const auto drops = [](const Cause& cause) { return cause.failure == FailureMode::drops; };
   const std::size_t others = causes.causes.size() - std::ranges::count_if(causes.causes, drops);
-  const std::size_t most = others == most_told + 1 ? others : most_told;  // no "1 more"
+  const std::size_t most = told_of(others);
   std::size_t told = 0;
   bool dropped = false;
   for (const Cause& cause : causes.causes) {
@@ -187,17 +153,29 @@ void tell_margin(const Explanation& e, Language language, std::vector<std::strin
                          {"length", length_in(language, most)}}));
 }
 
+void tell_tilt(const std::optional<TiltMargin>& tilt,
+               Phrase phrase,
+               Language language,
+               std::vector<std::string>& text) {
+  if (!tilt) return;
+  text.push_back(say_in(language, phrase,
+                        {{"to_left", angle_in(language, tilt->left)},
+                         {"to_right", angle_in(language, tilt->right)}}));
+}
+
 void tell_stand(const Explanation& e, Language language, std::vector<std::string>& text) {
   const bool needs_friction = e.check.facts && !e.check.facts->stands_without_friction;
   text.push_back(say_in(language, needs_friction ? Phrase::equilibrium : Phrase::stands));
   if (e.check.facts && e.check.facts->fall_also_possible)
     text.push_back(say_in(language, Phrase::fall_also_possible));
   tell_margin(e, language, text);
-  if (e.tilt) {
-    text.push_back(say_in(language, Phrase::tilt,
-                          {{"to_left", angle_in(language, e.tilt->left)},
-                           {"to_right", angle_in(language, e.tilt->right)}}));
-  }
+  tell_tilt(e.tilt_given, Phrase::tilt_given, language, text);
+  tell_tilt(e.tilt, Phrase::tilt, language, text);
+}
+
+std::optional<TiltMargin> largest_tilt(const StillScene& still, Sliding sliding) {
+  const LoadRange range = tilt_range(still, sliding);
+  return is_empty(range) ? std::nullopt : std::optional(tilt_angles(range));
 }
 
 std::vector<std::string> moving_names(const Scene& scene) {
@@ -220,9 +198,15 @@ void tell_motion(const std::vector<std::string>& names,
 
 std::vector<std::string> mechanism_sentences(const Explanation& e, Language language) {
   std::vector<std::string> text;
-  if (!e.causes.mechanism.empty()) text.push_back(say_in(language, Phrase::no_part_alone));
-  for (std::size_t k = 0; k < std::min(most_told, e.causes.mechanism.size()); ++k)
-    text.push_back(moving_part_sentence(*e.still, e.causes.mechanism[k], language));
+  const std::vector<MovingPart>& parts = e.causes.mechanism;
+  if (!parts.empty()) text.push_back(say_in(language, Phrase::no_part_alone));
+  const std::size_t told = told_of(parts.size());
+  for (std::size_t k = 0; k < told; ++k)
+    text.push_back(moving_part_sentence(*e.still, parts[k], language));
+  if (told < parts.size()) {
+    text.push_back(
+        say_in(language, Phrase::more_move, {{"count", std::to_string(parts.size() - told)}}));
+  }
   return text;
 }
 
@@ -230,7 +214,7 @@ std::string cause_sentence(const StillScene& still, const Cause& cause, Language
   const std::string part = part_name(still, cause.part.cubes, cause.base, language);
   if (cause.failure == FailureMode::tips) return tip_sentence(still, cause, part, language);
   const auto [one, many] = loss_phrases(still, cause);
-  return say_in(language, is_many(cause) ? many : one,
+  return say_in(language, is_many(cause.part.cubes) ? many : one,
                 {{"part", part},
                  {"side", side_name(cause.sense, language)},
                  {"way", way_name(cause.sense, language)},
@@ -265,8 +249,8 @@ Explanation explain(const Scene& scene, const MotionSettings& settings) {
     return e;
   }
   e.weakest = find_weakest(*e.still);
-  const LoadRange tilt = tilt_range(*e.still, Sliding::none);
-  if (!is_empty(tilt)) e.tilt = tilt_angles(tilt);
+  if (e.still->system.rubs) e.tilt_given = largest_tilt(*e.still, Sliding::given);
+  e.tilt = largest_tilt(*e.still, Sliding::none);
   return e;
 }
 

@@ -17,8 +17,9 @@ struct Explanation {
   std::optional<StillScene> still;  ///< none where something moves
   Causes causes;                    ///< of a scene that falls
   std::vector<Fix> fixes;
-  std::optional<Weakest> weakest;  ///< of one that stands
-  std::optional<TiltMargin> tilt;  ///< of one that stands, if nothing could slide
+  std::optional<Weakest> weakest;        ///< of one that stands
+  std::optional<TiltMargin> tilt_given;  ///< of one that stands and rubs: how far forces exist
+  std::optional<TiltMargin> tilt;        ///< of one that stands, if nothing could slide
 };
 
 Explanation explain(const Scene& scene, const MotionSettings& settings);

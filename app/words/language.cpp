@@ -40,6 +40,12 @@ constexpr std::array templates{
              "Jedes Verschieben des Gewichts von {body} setzt es in Bewegung."},
     Template{Phrase::no_weakest, "No shift of a weight makes it fall.",
              "Kein Verschieben eines Gewichts bringt es zu Fall."},
+    Template{
+        Phrase::tilt_given,
+        "Forces that hold it exist up to a tilt of {to_left} to the left and {to_right} to the "
+        "right.",
+        "Kräfte, die es halten, gibt es bis zu einer Neigung von {to_left} nach links und "
+        "{to_right} nach rechts."},
     Template{Phrase::tilt,
              "If nothing could slide, it would stand up to a tilt of {to_left} to the left and "
              "{to_right} to the right.",
@@ -87,13 +93,23 @@ constexpr std::array templates{
              "Kein Teil fällt für sich; zusammen geben sie nach:"},
     Template{Phrase::turns, "{part} turns to the {side}{partners}{work}.",
              "{part} dreht sich nach {side}{partners}{work}."},
+    Template{Phrase::turn, "{part} turn to the {side}{partners}{work}.",
+             "{part} drehen sich nach {side}{partners}{work}."},
     Template{Phrase::goes, "{part} goes {way}{partners}{work}.",
              "{part} geht {way}{partners}{work}."},
+    Template{Phrase::go, "{part} go {way}{partners}{work}.", "{part} gehen {way}{partners}{work}."},
     Template{Phrase::gives_work, "; its weight does {share} of the work",
              "; das Gewicht leistet {share} der Arbeit"},
+    Template{Phrase::give_work, "; their weight does {share} of the work",
+             "; ihr Gewicht leistet {share} der Arbeit"},
     Template{Phrase::takes_work, "; its weight is lifted, which takes {share} of the work",
              "; das Gewicht wird gehoben, was {share} der Arbeit braucht"},
+    Template{Phrase::take_work, "; their weight is lifted, which takes {share} of the work",
+             "; ihr Gewicht wird gehoben, was {share} der Arbeit braucht"},
     Template{Phrase::parts_from, ", parts from {names}", ", löst sich von {names}"},
+    Template{Phrase::part_from, ", part from {names}", ", lösen sich von {names}"},
+    Template{Phrase::more_move, "{count} more parts move with them.",
+             "{count} weitere Teile bewegen sich mit."},
     Template{
         Phrase::proof,
         "Proof: there is a motion in which no contact closes and the weights do work, {power} "

@@ -95,15 +95,15 @@ void add_forces(const System& system,
     const bool on = is_carried(system, c);
     const Vec2 force = (on ? normal : -normal) * c.normal;
     const bool unique = of.detail < Detail::uniqueness || of.forces.unique[k] != 0;
-    snapshot.forces.push_back(
-        {c.point, force, ForceKind::contact, box_of(system, on ? c.on : c.from), unique});
+    const int body = box_of(system, on ? c.on : c.from);
+    const int other = box_of(system, on ? c.from : c.on);
+    snapshot.forces.push_back({c.point, force, ForceKind::contact, body, unique, {}, other});
     if (!ranges.contacts.empty()) snapshot.forces.back().range = shown_range(ranges.contacts[k]);
     if (of.forces.tangential.empty()) continue;
     const double tangential = of.forces.tangential[k];
     if (std::abs(tangential) <= least_friction * normal) continue;
     const Vec2 along = (on ? tangential : -tangential) * perp(c.normal);
-    snapshot.forces.push_back(
-        {c.point, along, ForceKind::friction, box_of(system, on ? c.on : c.from), unique});
+    snapshot.forces.push_back({c.point, along, ForceKind::friction, body, unique, {}, other});
   }
 }
 

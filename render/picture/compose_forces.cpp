@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/picture/frame_parts.h"
+#include "render/picture/impacts.h"
 
 namespace wuerfel::internal {
 namespace {
@@ -13,8 +14,6 @@ constexpr double tooth_spacing = 7.0;   ///< of the comb that shows a pressure
 constexpr double pressure_share = 0.3;  ///< of an arrow's length, that an even pressure is deep
 constexpr double deepest = 0.45;        ///< m of pressure per m of typical arrow limit
 constexpr double readable_cut_arrow = 24.0;  ///< px, for a head and the sign of the cut
-constexpr double least_impact = 0.05;        ///< of a typical impulse, that has a ring
-constexpr double least_of_crowd = 1.0;       ///< likewise: more rings than bodies hide them
 
 Color joint_color(const FrameParts& parts) { return parts.style.contact; }
 
@@ -185,23 +184,12 @@ void add_pressure(const FrameParts& parts) {
   }
 }
 
-// Rings that grow and fade; their size tells the impulse, as a share of what a cube gets that falls
-// from the height of one side.
+// Rings that grow and fade; their size tells the impulse.
 void add_impacts(const FrameParts& parts) {
-  double mass = 0.0;
-  double side = 0.0;
-  int count = 0;
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    if (box.fixed) continue;
-    mass += box.mass;
-    side += typical_side_of(box);
-    ++count;
-  }
-  const double gravity = parts.snapshot.gravity.norm();
-  const double typical = count == 0 ? 0.0 : mass / count * std::sqrt(2.0 * gravity * side / count);
+  const RingScale scale = ring_scale(parts.snapshot);
   for (const SnapshotImpact& impact : parts.snapshot.impacts) {
-    const double share = typical > 0.0 ? std::min(impact.impulse / typical, 4.0) : 1.0;
-    if (share < (is_crowd(parts.snapshot) ? least_of_crowd : least_impact)) continue;
+    if (!scale.has_ring(impact)) continue;
+    const double share = std::min(scale.share(impact), 4.0);
     DiscShape ring;
     ring.center = parts.pixel(impact.point);
     ring.radius = parts.weight((4.0 + 9.0 * std::sqrt(share)) * (0.5 + 0.5 * impact.age));

@@ -228,6 +228,8 @@ DrawList compose_frame(const Snapshot& snapshot,
   add(above_arrows, parts);
   // Texts look for places that are still free.
   if (parts.has(Layer::values) || parts.has(Layer::joints)) add_values(parts, arrows);
+  if (parts.has(Layer::values) && options.force_scale.metres_per_newton > 0.0)
+    add_dot_values(parts);
   if (parts.has(Layer::joints) && !parts.has(Layer::forces)) add_joint_values(parts);
   add(symbols, parts);
   if (parts.has(Layer::names)) {

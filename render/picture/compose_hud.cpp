@@ -124,8 +124,6 @@ void add_force_entries(const FrameParts& parts, LegendRow& row) {
   if (options.legend.has(LegendEntry::cut)) row.sample("longer than shown", color, {.cut = true});
   if (options.legend.has(LegendEntry::hidden))
     row.dot(fmt::format("below {}", with_prefix(least_arrow(parts), "N", 2)), color);
-  if (options.legend.has(LegendEntry::impact) && parts.has(Layer::forces))
-    row.ring("impact", color);
 }
 
 void add_rod_entries(const FrameParts& parts, LegendRow& row) {
@@ -143,13 +141,23 @@ void add_cause_entries(const FrameParts& parts, LegendRow& row) {
     row.failing_box("fails by itself", parts.style.cause);
 }
 
+/// `arrows`: of joints.
+void add_forces_and_blows(const FrameParts& parts, bool arrows, LegendRow& row) {
+  if (!(parts.options.force_scale.metres_per_newton > 0.0)) return;
+  const Legend& legend = parts.options.legend;
+  const bool pushes = arrows || parts.has(Layer::contact_forces);
+  const bool weights = parts.has(Layer::weights);
+  if ((pushes && legend.has(LegendEntry::contact)) || weights) add_force_entries(parts, row);
+  if ((pushes || weights) && parts.has(Layer::forces) && legend.has(LegendEntry::impact))
+    row.ring("impact", parts.style.contact);
+}
+
 void add_entries(const FrameParts& parts, LegendRow& row) {
   const FrameOptions& options = parts.options;
   row.scale_bar();
   const bool arrows = parts.has(Layer::forces) && !is_crowd(parts.snapshot);
-  if ((arrows || parts.has(Layer::contact_forces) || parts.has(Layer::weights))
-      && options.force_scale.metres_per_newton > 0.0)
-    add_force_entries(parts, row);
+  const bool occur = options.legend.has(LegendEntry::contact);
+  add_forces_and_blows(parts, arrows, row);
   if (parts.has(Layer::velocities) && options.metres_per_speed > 0.0)
     row.arrow({options.metres_per_speed, "m/s", ""}, parts.style.velocity, ArrowForm::open);
   if (parts.has(Layer::accelerations) && options.metres_per_acceleration > 0.0)
@@ -157,7 +165,7 @@ void add_entries(const FrameParts& parts, LegendRow& row) {
   if (parts.has(Layer::joints) && options.force_scale.metres_per_newton > 0.0)
     row.comb("pressure", parts.style.contact);
   if (parts.has(Layer::thrust)) row.dashes("thrust", parts.style.thrust);
-  if (parts.has(Layer::forces) && !is_crowd(parts.snapshot) && shows_paths(options))
+  if (arrows && occur && shows_paths(options))
     row.swatch("thrust", with_alpha(parts.style.ink, path_alpha));
   add_cause_entries(parts, row);
   if (parts.has(Layer::normals)) row.normal("normal");

@@ -16,6 +16,7 @@ constexpr double thickest_rod = 9.0;
 constexpr double least_gap = 1.6;        ///< between the strokes of a rod that pushes
 constexpr double rounding_share = 1e-9;  ///< of the largest force, that pulls nor pushes
 constexpr double pin_radius = 4.6;
+constexpr double pin_room = 7.0;  ///< around a pin, without labels
 constexpr double largest_mass_radius = 9.0;
 constexpr double smallest_mass_radius = 3.0;
 
@@ -74,13 +75,15 @@ void add_pins(const FrameParts& parts) {
   ring.outline_width = parts.weight(1.6);
   ring.fill = parts.style.joint;
   ring.outline = parts.style.rod;
+  const auto add = [&](const Vec2& place) {
+    ring.center = parts.pixel(place);
+    parts.list.add(ring);
+    parts.labels.keep_off(ring.center, ring.center, static_cast<double>(parts.weight(pin_room)));
+  };
   for (const SnapshotLink& link : parts.snapshot.links) {
     if (!link.pin) continue;
-    ring.center = parts.pixel(link.a);
-    parts.list.add(ring);
-    if (link.a == link.b) continue;  // but of a free-body diagram
-    ring.center = parts.pixel(link.b);
-    parts.list.add(ring);
+    add(link.a);
+    if (link.a != link.b) add(link.b);  // of a free-body diagram
   }
 }
 

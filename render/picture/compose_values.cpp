@@ -1,4 +1,5 @@
 // Numbers beside arrows.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -12,12 +13,12 @@ namespace {
 
 constexpr int digits = 3;  ///< of the numbers
 
-TextShape number_of(const FrameParts& parts, const PendingArrow& pending) {
+TextShape number_of(const FrameParts& parts, double newton, Color color) {
   TextShape text;
   // A hair more, so that equal forces are rounded alike: 4.905 N is half-way between two numbers.
-  text.text = with_prefix(pending.newton * (1.0 + 1e-9), "N", digits, Zeros::kept);
+  text.text = with_prefix(newton * (1.0 + 1e-9), "N", digits, Zeros::kept);
   text.size = static_cast<float>(0.86 * parts.style.text_size * parts.unit);
-  text.color = pending.shape.color;
+  text.color = color;
   text.halo = parts.style.halo;
   text.halo_width = static_cast<float>(2.0 * parts.unit);
   return text;
@@ -62,12 +63,51 @@ std::vector<Pixel> places_of(const FrameParts& parts,
 }
 
 void label_arrow(const FrameParts& parts, const PendingArrow& pending) {
-  TextShape text = number_of(parts, pending);
+  TextShape text = number_of(parts, pending.newton, pending.shape.color);
   const std::vector<Pixel> places = places_of(parts, pending, text);
   parts.labels.place(std::move(text), places, parts.font, parts.list);
 }
 
+/// Beside the dot of a force too small for an arrow.
+void label_dot(const FrameParts& parts, const Vec2& at, double newton, Color color) {
+  TextShape text = number_of(parts, newton, color);
+  const auto width =
+      static_cast<float>(parts.font.width(text.text, static_cast<double>(text.size)));
+  const Pixel dot = parts.pixel(at);
+  const float down = 0.36F * text.size;
+  std::vector<Pixel> places;
+  for (const float ring : {1.0F, 2.0F}) {
+    const float gap = ring * static_cast<float>(7.0 * parts.unit);
+    places.push_back({dot.x + gap, dot.y + down});
+    places.push_back({dot.x - gap - width, dot.y + down});
+    for (const float above : {1.0F, -1.0F})
+      places.push_back({dot.x - 0.5F * width, dot.y + down - above * (gap + 0.4F * text.size)});
+  }
+  parts.labels.place(std::move(text), places, parts.font, parts.list);
+}
+
 }  // namespace
+
+void add_dot_values(const FrameParts& parts) {
+  constexpr double rounding = 1e-6;  // of the largest force
+  const double least = least_arrow(parts);
+  if (parts.has(Layer::contact_forces)) {
+    double largest = 0.0;
+    for (const SnapshotForce& force : parts.snapshot.forces)
+      largest = std::max(largest, force.force.norm());
+    for (const SnapshotForce& force : parts.snapshot.forces) {
+      const double newton = force.force.norm();
+      if (newton < least && newton > rounding * largest)
+        label_dot(parts, force.point, newton, force_color(parts.style, force.kind));
+    }
+  }
+  if (!parts.has(Layer::weights)) return;
+  for (const SnapshotBox& box : parts.snapshot.boxes) {
+    const double newton = box.mass * parts.snapshot.gravity.norm();
+    if (!box.fixed && newton > 0.0 && newton < least)
+      label_dot(parts, box.center, newton, parts.style.own_weight);
+  }
+}
 
 void add_joint_values(const FrameParts& parts) {
   const ForceScale& scale = parts.options.force_scale;

@@ -111,6 +111,8 @@ void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arro
 void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows);
 /// Numbers beside the arrows, where there is room.
 void add_values(const FrameParts& parts, const std::vector<PendingArrow>& arrows);
+/// Likewise beside the dots of weights and of forces corner by corner, as of free bodies: no force may be missing there.
+void add_dot_values(const FrameParts& parts);
 
 /// Numbers of joints whose arrows are not drawn.
 void add_joint_values(const FrameParts& parts);

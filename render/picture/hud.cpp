@@ -87,8 +87,16 @@ void HudText::add(std::string text, double x, double y, double size, Color color
 }
 
 void HudText::paint() {
-  if (texts_.empty()) return;
-  add_plate(parts_, common_area(texts_, parts_.font));
+  // A plate for each line: one for all would hide what is beside the shorter ones, as a slope. Plates that are seen
+  // through would show where they lie on one another.
+  const bool opaque = parts_.style.background.a == 255;
+  for (auto line = texts_.begin(); line != texts_.end();) {
+    const float y = line->baseline.y;
+    const auto next = std::find_if(
+        line, texts_.end(), [&](const TextShape& text) { return opaque && text.baseline.y != y; });
+    add_plate(parts_, common_area({line, next}, parts_.font));
+    line = next;
+  }
   for (TextShape& text : texts_)
     parts_.list.texts.push_back(std::move(text));
 }

@@ -99,6 +99,17 @@ class Margins(ProgramTest):
             self.assertEqual({line[column:column + 6].strip() for line in lines[1:]}, {"cap", "ground"})
             self.assertEqual(len({len(line) for line in lines}), 1, table)
 
+    def test_what_does_not_move_and_what_does_not_press_is_no_rounding(self):
+        wall = {"version": 1, "material": {"friction": 0.6}, "plane": [{"name": "ground"}],
+                "wall": [{"name": "w", "rows": 6, "columns": 3, "size": [0.4, 0.2], "density": 2400, "on": "ground"}]}
+        self.assertNotRegex(self.expect(0, "check", self.scene(wall)).stdout, r"e-1\d")
+        slides = {"version": 1, "material": {"friction": 0.6}, "plane": [{"name": "ground"}],
+                  "cube": [{"name": "base", "size": [1, 0.25], "on": "ground"},
+                           {"name": "tips", "size": [1, 0.25], "on": "base", "offset": 0.6}]}
+        text = self.expect(1, "check", self.scene(slides)).stdout
+        self.assertIn("  tips: ", text)
+        self.assertNotRegex(text, r"  base: .*e-1\d")
+
     def test_names_that_are_not_there(self):
         scene = self.scene(TOWER)
         self.assertIn("there is no cube 'd1'; did you mean", self.expect(2, "check", scene, "--margin", "--bodies", "d1").stderr)
@@ -139,6 +150,33 @@ class Explain(ProgramTest):
             x = 0.6 + share * move["distance"]
             self.expect(code, "check", self.scene(FALLING), "--set", f"cube.b.position=[{x!r}, 1.5]")
 
+    def test_corners_are_named_as_the_sides_of_a_leaning_body_lie(self):
+        s = math.sqrt(0.5)  # two bars of 45 degrees, hinged at their heads
+        bar = {"size": [2, 0.2], "density": 2500, "friction": 0.4}
+        frame = {"version": 1, "plane": [{"name": "ground", "friction": 0.4}],
+                 "cube": [{"name": name, "angle_deg": -45 * side, "position": [side * s, 1.1 * s], **bar}
+                          for name, side in (("left", -1), ("right", 1))],
+                 "pin": [{"from": "left.e", "to": "right.w", "collide": False}]}
+        answer = self.explain(frame)
+        left = next(f for f in answer["fixes"] if f["body"] == "left")
+        for k, at in enumerate((0.1 * s, 1.9 * s + 0.1 * s)):
+            self.assertAlmostEqual(left["point"][k], at, places=9)
+        # By hand: what lifts the crown there by F leaves H = 0.4286 W - 0.4762 F, of which 0.4 (W - 0.5263 F) is to be had.
+        self.assertAlmostEqual(left["force"][1] / (1000 * G), 0.10755, places=4)
+        self.assertTrue(any("at the lower right corner of left" in text for text in answer["text"]), answer["text"])
+
+    def test_all_that_gives_way_together_is_told(self):
+        side = [{"name": f"{name}{k}", "size": [1, 0.25], "position": [sign * x, 0.125 + 0.25 * k]}
+                for name, sign in (("l", -1), ("r", 1)) for k, x in enumerate((2, 1.85, 1.55, 1.1, 0.5))]
+        arch = {"version": 1, "material": {"friction": 0.6}, "plane": [{"name": "ground"}],
+                "cube": [*side, {"name": "key", "size": [1.2, 0.25], "position": [0, 1.375]}]}
+        told = self.explain(arch)
+        self.assertEqual(len(told["mechanism"]), 5)
+        moving = [text for text in told["text"] if "of the work" in text]
+        self.assertAlmostEqual(sum(int(text.split("does ")[1].split(" %")[0]) for text in moving), 100, delta=2)
+        self.assertIn("l2 and l3 turn to the right, part from l1; their weight does", moving[0])
+        self.assertIn("l2 und l3 drehen sich nach rechts, lösen sich von l1", self.explain(arch, "--language", "de")["text"][1])
+
     def test_both_languages(self):
         scene = self.scene(FALLING)
         self.assertIn("tips to the right", self.expect(1, "explain", scene).stdout)
@@ -152,6 +190,14 @@ class Explain(ProgramTest):
         self.assertEqual((answer["causes"], answer["certificate"]), ([], None))
         self.assertIn("It stands.", answer["text"])
         self.assertIn("a is moving from the start.", self.expect(1, "explain", self.scene(FLYING)).stdout)
+
+    def test_where_something_rubs_the_tilt_is_that_of_friction(self):
+        block = {"version": 1, "material": {"friction": 0.5}, "plane": [{"name": "floor"}],
+                 "cube": [{"name": "b", "size": [1, 0.5], "on": "floor"}]}
+        text = self.explain(block, code=0)["text"]
+        self.assertIn("Forces that hold it exist up to a tilt of 26.6° to the left and 26.6° to the right.", text)  # atan 0.5
+        self.assertIn("If nothing could slide, it would stand up to a tilt of 63.4° to the left and 63.4° to the right.", text)
+        self.assertFalse(any("Forces that" in line for line in self.explain(TOWER, code=0)["text"]))
 
     def test_facts_where_something_rubs(self):
         answer = self.explain(RUBBING, code=0)

@@ -71,6 +71,17 @@ class Formats(ProgramTest):
         with open(self.path("f.svg")) as file:
             self.assertIn('width="84mm"', file.read())
         self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+
+    def test_small_print_on_paper_is_noted(self):
+        def notes(*options):
+            return self.expect(0, "figure", self.scene(STANDING), "-o", "f.pdf", *options).stderr
+        # 14 px of 1280 on 84 mm: 0.919 mm, 2.6 pt.
+        self.assertIn("letters of 2.6 pt on paper are hard to read: --scale 2.0 makes them 5 pt", notes("--width", "84mm"))
+        self.assertIn("take a larger --width", notes("--width", "10mm"))
+        for fine in ((), ("--width", "84mm", "--scale", "2"), ("--width", "180mm")):
+            self.assertEqual(notes(*fine), "")
+
+    def test_pixels_have_no_width_on_paper(self):
         self.assertIn("--width", self.expect(2, "figure", self.scene(STANDING), "--width", "84mm", "-o", "f.png").stderr)
 
     def test_height_by_content(self):
@@ -118,6 +129,19 @@ class Formats(ProgramTest):
         view = done.stderr.partition("--view ")[2].split()[0]
         self.assertLess(float(view.split(",")[2]), 30)
         self.assertNotIn("--view", self.expect(0, "figure", scene, "-o", "f.png", "--view", view).stderr)
+
+    def test_a_legend_has_no_force_where_none_occurs(self):
+        def texts(time):
+            self.expect(0, "figure", "tilted_drop", "-t", time, "-o", "f.svg")
+            with open(self.path("f.svg")) as file:
+                drawn = [text.text for text in ElementTree.parse(file).iter("{http://www.w3.org/2000/svg}text")]
+            self.assertEqual(self.expect(0, "reproduce", "f.svg").stdout, "identical\n")
+            return drawn
+        self.assertFalse({"10 N", "thrust"} & set(texts("0.1")), "it flies")
+        self.assertLessEqual({"10 N", "thrust"}, set(texts("1")))
+        rods = self.call("figure", "newtons_cradle", "--explode", "0.3", "-o", "g.svg")
+        self.assertEqual(rods.returncode, 0, rods.stderr)
+        self.assertIn(">10 N<", self.content("g.svg"))
 
     def test_a_strip_has_one_legend(self):
         self.expect(0, "figure", self.scene(STANDING), "--strip", "2x1", "-o", "f.svg")

@@ -211,6 +211,19 @@ class Tables(ProgramTest):
             lift = sum(float(r["fy"]) for r in rows if r["t"] == t)
             self.assertAlmostEqual(lift, 9.81, delta=1e-5)
 
+    def test_forces_tell_who_pushes_whom(self):
+        scene = {"version": 1, "plane": [{"name": "floor"}], "fixed": [{"name": "post", "size": 1, "position": [3, 0.5]}],
+                 "cube": [{"name": "low", "on": "floor"}, {"name": "high, up", "on": "low"}, {"name": "cap", "on": "post"},
+                          {"name": "bob", "size": 0.2, "position": [3, 4]}],
+                 "rod": [{"from": [3, 5], "to": "bob"}]}
+        self.expect(0, "run", self.scene(scene), "--until", "0", "--forces", "forces.csv")
+        rows = self.rows("forces.csv")
+        self.assertEqual(list(rows[0]), ["t", "on", "from", "kind", "x", "y", "fx", "fy", "kkt_residual"])
+        self.assertEqual({(row["on"], row["from"], row["kind"]) for row in rows},
+                         {("low", "floor", "contact"), ("high, up", "low", "contact"), ("cap", "post", "contact"),
+                          ("bob", "", "rod_tension")})
+        self.assertNotIn("-0", {row[key] for row in rows for key in ("fx", "fy")})
+
     def test_events_are_lines_of_json(self):
         s = self.summary(LANDING, "--events", "events.jsonl")
         with open(self.path("events.jsonl")) as file:

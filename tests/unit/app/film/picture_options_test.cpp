@@ -46,6 +46,17 @@ TEST(LegendOf, NamesWhatOccursAndNothingElse) {
   EXPECT_TRUE(legend().has(LegendEntry::impact));
 }
 
+TEST(LegendOf, NamesNoImpactThatIsTooWeakForARingOrHasFaded) {
+  Snapshot snapshot = test::pyramid_snapshot();
+  const auto named = [&](double impulse, double age) {
+    snapshot.impacts = {{Vec2::Zero(), impulse, age}};
+    return range_of(snapshot).seen.has(LegendEntry::impact);
+  };
+  EXPECT_TRUE(named(10.0, 0.5));
+  EXPECT_FALSE(named(1e-3, 0.5));
+  EXPECT_FALSE(named(10.0, 0.9));
+}
+
 TEST(FitScales, LoadsFitWhatIsTypicalAndSayThatThereIsMore) {
   Snapshot snapshot = test::pyramid_snapshot();
   const Layers layers{Layer::cubes};

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/picture/explode.h"
 #include "render/picture/labels.h"
 #include "render/picture/units.h"
 #include "tests/unit/render/picture/composition.h"
@@ -236,22 +235,6 @@ TEST_F(Composition, NumbersStandBehindTheirArrows) {
   const internal::Area area = internal::text_area(*number, font);
   EXPECT_GT(area.top, static_cast<double>(first.tail.y)) << "below the tail";
   EXPECT_NEAR(0.5 * (area.left + area.right), static_cast<double>(first.tail.x), 1e-3);
-}
-
-TEST_F(Composition, FreeBodiesShowBothForcesOfEachPair) {
-  const Snapshot apart = exploded(snapshot, 0.5);
-  ASSERT_EQ(apart.forces.size(), 9U + 6U) << "the floor is not cut free";
-  EXPECT_EQ(apart.boxes[5].size, snapshot.boxes[5].size);
-  const Vec2 foot =
-      snapshot.boxes[5].center - 2.0 * (apart.boxes[5].center - snapshot.boxes[5].center);
-  EXPECT_NEAR(foot.y(), 0.0, 0.2) << "spread about the foot";
-  Vec2 sum = Vec2::Zero();
-  for (const SnapshotForce& force : apart.forces)
-    sum += force.force;
-  EXPECT_NEAR(sum.y(), 50.0, 1e-12) << "what the floor bears";
-  options.explode = 0.5;
-  const DrawList list = compose({Layer::cubes, Layer::forces});
-  EXPECT_EQ(arrows_of(list, style.contact).size(), 15U);
 }
 
 TEST_F(Composition, WhiskersReachFromTheLeastForceToTheMost) {

@@ -69,21 +69,27 @@ TEST_F(Composition, LongTitleIsShortened) {
   EXPECT_TRUE(list.texts.front().text.ends_with("…"));
 }
 
-TEST_F(Composition, HudHasAPlateBehindIt) {
+TEST_F(Composition, EveryLineOfTheHudHasAPlateOfItsOwnBehindIt) {
+  snapshot.title = "A title that is longer than what is told of time";
   snapshot.planes.push_back({"wall", Vec2(-4.0, 0.0), Vec2::UnitX()});
   const DrawList list = compose({Layer::cubes, Layer::hud});
-  // The head's plate is the first of the strokes that are as high as a title; its texts lie inside.
-  const auto plate = std::ranges::find_if(
-      list.segments, [](const SegmentShape& s) { return s.half_width > 12.0F && s.round == 0.0F; });
-  ASSERT_NE(plate, list.segments.end());
-  for (const std::size_t i : {0U, 1U, 2U}) {
-    const internal::Area area = internal::text_area(list.texts[i], font);
-    EXPECT_GE(area.left, plate->from.x);
-    EXPECT_LE(area.right, plate->to.x);
-    EXPECT_GE(area.top, plate->from.y - plate->half_width);
-    EXPECT_LE(area.bottom, plate->from.y + plate->half_width);
-  }
-  EXPECT_GT(plate->color.a, 216);
+  const auto right_of_plate = [&](const TextShape& text) {
+    const internal::Area area = internal::text_area(text, font);
+    const auto left = static_cast<float>(area.left);
+    const auto right = static_cast<float>(area.right);
+    const auto top = static_cast<float>(area.top);
+    const auto bottom = static_cast<float>(area.bottom);
+    const auto plate = std::ranges::find_if(list.segments, [&](const SegmentShape& s) {
+      return s.round == 0.0F && s.color.a > 216 && left >= s.from.x && right <= s.to.x
+             && top >= s.from.y - s.half_width && bottom <= s.from.y + s.half_width;
+    });
+    return plate == list.segments.end() ? 0.0F : plate->to.x;
+  };
+  const float title = right_of_plate(list.texts[0]);
+  const float time = right_of_plate(list.texts[1]);
+  EXPECT_GT(time, 0.0F);
+  EXPECT_EQ(right_of_plate(list.texts[2]), time);
+  EXPECT_LT(time, 0.8F * title);
 }
 
 TEST_F(Composition, PlatesHaveTheColoursOfWhatTheyHide) {
