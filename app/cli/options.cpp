@@ -29,7 +29,38 @@ CLI::Option* add_value(CLI::App& app,
       ->allow_extra_args(false);
 }
 
+std::vector<Text> words_of(const Text& line) {
+  std::vector<Text> words;
+  bool within_quotes = false;
+  bool within_word = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k] == ' ' && !within_quotes) {
+      within_word = false;
+      continue;
+    }
+    if (!within_word) words.emplace_back();
+    within_word = true;
+    const bool escapes = within_quotes && line[k] == '\\' && k + 1 < line.size()
+                         && (line[k + 1] == '"' || line[k + 1] == '\\');
+    if (line[k] == '"') {
+      within_quotes = !within_quotes;
+    } else {
+      words.back() += line[escapes ? ++k : k];
+    }
+  }
+  return words;
+}
+
 }  // namespace
+
+std::string quoted_word(std::string_view word) {
+  Text text = "\"";
+  for (const char c : word) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
+}
 
 Options::Options(const Text& command, const Text& meaning)
     : app_(std::make_unique<CLI::App>(meaning, command)) {
@@ -112,8 +143,10 @@ bool Options::parse(std::vector<Text> arguments) {
 }
 
 void Options::parse_line(const Text& line) {
+  std::vector<Text> words = words_of(line);
+  std::ranges::reverse(words);
   try {
-    app_->parse(line, false);
+    app_->parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     throw UsageError(complaint(error.what()));
   }
