@@ -29,6 +29,9 @@ CLI::Option* add_value(CLI::App& app,
       ->allow_extra_args(false);
 }
 
+// What is empty was meant to be something: a variable of a shell, perhaps.
+Text told(const Text& value) { return value.empty() ? "must not be empty" : ""; }
+
 std::vector<Text> words_of(const Text& line) {
   std::vector<Text> words;
   bool within_quotes = false;
@@ -71,15 +74,15 @@ Options::Options(const Text& command, const Text& meaning)
 Options::~Options() = default;
 
 void Options::argument(const Text& name, const Text& meaning, Text& value) {
-  app_->add_option(name, value, meaning)->required()->type_name("");
+  app_->add_option(name, value, meaning)->required()->type_name("")->check(told);
 }
 
 void Options::optional_argument(const Text& name, const Text& meaning, Text& value) {
-  app_->add_option(name, value, meaning)->type_name("");
+  app_->add_option(name, value, meaning)->type_name("")->check(told);
 }
 
 void Options::arguments(const Text& name, const Text& meaning, std::vector<Text>& values) {
-  app_->add_option(name, values, meaning)->required()->type_name("");
+  app_->add_option(name, values, meaning)->required()->type_name("")->check(told);
 }
 
 void Options::value(const Text& names, const Text& type, const Text& meaning, const Take& take) {
@@ -91,11 +94,11 @@ void Options::single(const Text& names, const Text& type, const Text& meaning, c
 }
 
 void Options::text(const Text& names, const Text& type, const Text& meaning, Text& value) {
-  app_->add_option(names, value, meaning)->type_name(type);
+  app_->add_option(names, value, meaning)->type_name(type)->check(told);
 }
 
 void Options::required_text(const Text& names, const Text& type, const Text& meaning, Text& value) {
-  app_->add_option(names, value, meaning)->type_name(type)->required();
+  app_->add_option(names, value, meaning)->type_name(type)->required()->check(told);
 }
 
 void Options::optional_value(const Text& name,

@@ -68,6 +68,19 @@ class Usage(ProgramTest):
                 self.assertIn(words, self.refuse(*arguments))
         self.assertIn("wuerfel run --help", self.refuse("run", scene, "--untill", "3"))
 
+    def test_an_empty_name_is_refused(self):
+        scene = self.scene(FLYING)
+        for command, options in {"run": ("--states", "--forces", "--events", "--summary", "--failed-programs", "--checkpoint", "--resume"),
+                                 "explain": ("-o",), "figure": ("-o",)}.items():
+            for option in options:
+                with self.subTest(option):
+                    self.assertIn("must not be empty", self.refuse(command, scene, option, ""))
+        for arguments in (("run", ""), ("check", ""), ("scenes", ""), ("compare", "", scene), ("reproduce", scene, "-o", ""),
+                          ("compare", scene, scene, "-o", ""), ("sweep", "plan", scene, "-o", ""), ("sweep", "verify", ".", "--id", "")):
+            with self.subTest(arguments):
+                self.assertIn("must not be empty", self.refuse(*arguments))
+        self.assertEqual(self.files(), ["scene.json"])
+
     def test_numbers_beyond_all_use_are_refused(self):
         scene = self.scene(FLYING)
         for arguments in (("--strip", "2147483647x2"), ("--strip", "65536x65536"), ("--strip", "2x2", "--scale", "1e9"),
