@@ -64,6 +64,12 @@ double parse_paper_length(std::string_view option, std::string_view text) {
   throw UsageError(fmt::format("{}: '{}' is no length in mm, cm, in or pt, as 84mm", option, text));
 }
 
+double parse_not_negative(std::string_view option, std::string_view text) {
+  const double value = parse_number(option, text);
+  if (value < 0.0) throw UsageError(fmt::format("{}: {} is less than 0", option, text));
+  return value;
+}
+
 double parse_time(std::string_view option, std::string_view text) {
   const double value = parse_number(option, text);
   if (value < 0.0) throw UsageError(fmt::format("{}: {} is before the start at 0", option, text));

@@ -81,6 +81,11 @@ class Usage(ProgramTest):
                 self.assertIn("must not be empty", self.refuse(*arguments))
         self.assertEqual(self.files(), ["scene.json"])
 
+    def test_a_number_below_0_is_no_time_where_none_is_asked_for(self):
+        for option in ("--velocity-scale", "--acceleration-scale", "--color-top", "--explode", "--rod-scale", "--ghosts"):
+            with self.subTest(option):
+                self.assertIn(f"{option}: -1 is less than 0", self.refuse("figure", self.scene(FLYING), "-o", "f.png", option, "-1"))
+
     def test_numbers_beyond_all_use_are_refused(self):
         scene = self.scene(FLYING)
         for arguments in (("--strip", "2147483647x2"), ("--strip", "65536x65536"), ("--strip", "2x2", "--scale", "1e9"),
