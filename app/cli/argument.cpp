@@ -52,21 +52,35 @@ double parse_bytes(std::string_view option, std::string_view text) {
 }
 
 double parse_paper_length(std::string_view option, std::string_view text) {
+  constexpr double shortest = 1.0;    // mm
+  constexpr double longest = 5080.0;  // mm, of a page of PDF
   struct Unit {
     std::string_view name;
     double mm;
   };
   for (const auto& [name, mm] :
        {Unit{"mm", 1.0}, Unit{"cm", 10.0}, Unit{"in", 25.4}, Unit{"pt", 25.4 / 72.0}}) {
-    if (text.ends_with(name))
-      return mm * parse_positive(option, text.substr(0, text.size() - name.size()));
+    if (!text.ends_with(name)) continue;
+    const double length = mm * parse_positive(option, text.substr(0, text.size() - name.size()));
+    if (length >= shortest && length <= longest) return length;
+    throw UsageError(
+        fmt::format("{}: {} is not between {} mm and {} mm", option, text, shortest, longest));
   }
   throw UsageError(fmt::format("{}: '{}' is no length in mm, cm, in or pt, as 84mm", option, text));
 }
 
+double parse_not_negative(std::string_view option, std::string_view text) {
+  const double value = parse_number(option, text);
+  if (value < 0.0) throw UsageError(fmt::format("{}: {} is less than 0", option, text));
+  return value;
+}
+
 double parse_time(std::string_view option, std::string_view text) {
+  constexpr double longest = 1e15;
   const double value = parse_number(option, text);
   if (value < 0.0) throw UsageError(fmt::format("{}: {} is before the start at 0", option, text));
+  if (value > longest)
+    throw UsageError(fmt::format("{}: {} s are more than {:.0e}", option, text, longest));
   return value;
 }
 

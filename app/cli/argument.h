@@ -25,6 +25,9 @@ double parse_bytes(std::string_view option, std::string_view text);
 double parse_paper_length(std::string_view option, std::string_view text);
 
 /// A number >= 0.
+double parse_not_negative(std::string_view option, std::string_view text);
+
+/// From 0 to 1e15 s.
 double parse_time(std::string_view option, std::string_view text);
 
 /// Numbers with commas between them, at least one.

@@ -26,9 +26,19 @@ double parse_share(const Text& text) {
 }
 
 double parse_scale(const Text& text) {
-  constexpr double largest = 8.0;  // text of 150 px
+  constexpr double smallest = 0.01;  // lines of a hundredth of a pixel
+  constexpr double largest = 8.0;    // text of 150 px
   const double value = parse_positive("--scale", text);
-  if (value > largest) throw UsageError(fmt::format("--scale: {} is more than {}", text, largest));
+  if (value < smallest || value > largest)
+    throw UsageError(fmt::format("--scale: {} is not between {} and {}", text, smallest, largest));
+  return value;
+}
+
+// Films count in millionths of a frame per second.
+double parse_fps(const Text& text) {
+  constexpr double smallest = 0.001;
+  const double value = parse_positive("--fps", text);
+  if (value < smallest) throw UsageError(fmt::format("--fps: {} is less than {}", text, smallest));
   return value;
 }
 
@@ -131,12 +141,12 @@ void add_look_options(Options& options, PictureOptions& picture) {
   options.single("--velocity-scale", "S",
                  "length of velocity arrows in m per m/s, 0: none [fits the run]",
                  [&picture](const Text& text) {
-                   picture.velocity_scale = parse_time("--velocity-scale", text);
+                   picture.velocity_scale = parse_not_negative("--velocity-scale", text);
                  });
   options.single("--acceleration-scale", "S",
                  "length of acceleration arrows in m per m/s^2, 0: none [fits the run]",
                  [&picture](const Text& text) {
-                   picture.acceleration_scale = parse_time("--acceleration-scale", text);
+                   picture.acceleration_scale = parse_not_negative("--acceleration-scale", text);
                  });
   options.single(
       "--color,--colour", "BY",
@@ -147,11 +157,14 @@ void add_look_options(Options& options, PictureOptions& picture) {
       "--color-top", "N",
       "load in N, or speed in m/s, of the last colour; 0: the largest of each picture [fits the "
       "run]",
-      [&picture](const Text& text) { picture.color_top = parse_time("--color-top", text); });
-  options.single("--explode", "S",
-                 "free bodies: each farther from the others by this share of their distance, with "
-                 "all forces on it, weights and numbers [0]",
-                 [&picture](const Text& text) { picture.explode = parse_time("--explode", text); });
+      [&picture](const Text& text) {
+        picture.color_top = parse_not_negative("--color-top", text);
+      });
+  options.single(
+      "--explode", "S",
+      "free bodies: each farther from the others by this share of their distance, with "
+      "all forces on it, weights and numbers [0]",
+      [&picture](const Text& text) { picture.explode = parse_not_negative("--explode", text); });
 }
 
 void add_camera_options(Options& options, PictureOptions& picture) {
@@ -167,7 +180,9 @@ void add_camera_options(Options& options, PictureOptions& picture) {
   options.single(
       "--rod-scale", "N",
       "force in N at which rods are drawn thickest, 0: the largest of each picture [fits the run]",
-      [&picture](const Text& text) { picture.rod_scale = parse_time("--rod-scale", text); });
+      [&picture](const Text& text) {
+        picture.rod_scale = parse_not_negative("--rod-scale", text);
+      });
   options.single(
       "--view", "fit|X,Y,WIDTH|follow:NAME",
       "part of the world: all of the motion, centre and width in m, or around a body [fit]",
@@ -181,7 +196,7 @@ void add_camera_options(Options& options, PictureOptions& picture) {
   });
   options.single(
       "--scale", "S",
-      "size of text, lines and arrow heads, up to 8; they grow with the picture anyway [1]",
+      "size of text, lines and arrow heads, 0.01 to 8; they grow with the picture anyway [1]",
       [&picture](const Text& text) { picture.scale = parse_scale(text); });
 }
 
@@ -198,7 +213,7 @@ void add_encoder_option(Options& options, PngEncoder& encoder) {
 
 void add_rate_options(Options& options, FrameRate& rate) {
   options.single("--fps", "F", "frames per second of the film [60]",
-                 [&rate](const Text& text) { rate.fps = parse_positive("--fps", text); });
+                 [&rate](const Text& text) { rate.fps = parse_fps(text); });
   options.single("--speed", "X", "simulated time per film time, 0.1 is slow motion [1]",
                  [&rate](const Text& text) { rate.speed = parse_positive("--speed", text); });
 }
@@ -213,7 +228,7 @@ void add_ghosts_option(Options& options, int& ghosts) {
   options.single(
       "--ghosts", "N", "earlier poses of the cubes, evenly from the start, faintly [0]",
       [&ghosts](const Text& text) {
-        const double count = parse_time("--ghosts", text);
+        const double count = parse_not_negative("--ghosts", text);
         if (count != std::floor(count) || count > most)
           throw UsageError(fmt::format("--ghosts: '{}' is no whole number of 0 to {}", text, most));
         ghosts = static_cast<int>(count);

@@ -29,7 +29,41 @@ CLI::Option* add_value(CLI::App& app,
       ->allow_extra_args(false);
 }
 
+// What is empty was meant to be something: a variable of a shell, perhaps.
+Text told(const Text& value) { return value.empty() ? "must not be empty" : ""; }
+
+std::vector<Text> words_of(const Text& line) {
+  std::vector<Text> words;
+  bool within_quotes = false;
+  bool within_word = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k] == ' ' && !within_quotes) {
+      within_word = false;
+      continue;
+    }
+    if (!within_word) words.emplace_back();
+    within_word = true;
+    const bool escapes = within_quotes && line[k] == '\\' && k + 1 < line.size()
+                         && (line[k + 1] == '"' || line[k + 1] == '\\');
+    if (line[k] == '"') {
+      within_quotes = !within_quotes;
+    } else {
+      words.back() += line[escapes ? ++k : k];
+    }
+  }
+  return words;
+}
+
 }  // namespace
+
+std::string quoted_word(std::string_view word) {
+  Text text = "\"";
+  for (const char c : word) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + '"';
+}
 
 Options::Options(const Text& command, const Text& meaning)
     : app_(std::make_unique<CLI::App>(meaning, command)) {
@@ -40,15 +74,15 @@ Options::Options(const Text& command, const Text& meaning)
 Options::~Options() = default;
 
 void Options::argument(const Text& name, const Text& meaning, Text& value) {
-  app_->add_option(name, value, meaning)->required()->type_name("");
+  app_->add_option(name, value, meaning)->required()->type_name("")->check(told);
 }
 
 void Options::optional_argument(const Text& name, const Text& meaning, Text& value) {
-  app_->add_option(name, value, meaning)->type_name("");
+  app_->add_option(name, value, meaning)->type_name("")->check(told);
 }
 
 void Options::arguments(const Text& name, const Text& meaning, std::vector<Text>& values) {
-  app_->add_option(name, values, meaning)->required()->type_name("");
+  app_->add_option(name, values, meaning)->required()->type_name("")->check(told);
 }
 
 void Options::value(const Text& names, const Text& type, const Text& meaning, const Take& take) {
@@ -60,11 +94,11 @@ void Options::single(const Text& names, const Text& type, const Text& meaning, c
 }
 
 void Options::text(const Text& names, const Text& type, const Text& meaning, Text& value) {
-  app_->add_option(names, value, meaning)->type_name(type);
+  app_->add_option(names, value, meaning)->type_name(type)->check(told);
 }
 
 void Options::required_text(const Text& names, const Text& type, const Text& meaning, Text& value) {
-  app_->add_option(names, value, meaning)->type_name(type)->required();
+  app_->add_option(names, value, meaning)->type_name(type)->required()->check(told);
 }
 
 void Options::optional_value(const Text& name,
@@ -112,8 +146,10 @@ bool Options::parse(std::vector<Text> arguments) {
 }
 
 void Options::parse_line(const Text& line) {
+  std::vector<Text> words = words_of(line);
+  std::ranges::reverse(words);
   try {
-    app_->parse(line, false);
+    app_->parse(std::move(words));
   } catch (const CLI::ParseError& error) {
     throw UsageError(complaint(error.what()));
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): of the library
@@ -20,6 +21,9 @@ struct DeclaredOption {
   std::string meaning;              ///< in a few words
   std::vector<std::string> values;  ///< all there are, where they can be counted
 };
+
+/// A word of a line that Options::parse_line reads, whatever is in it: in "", with \ before " and \.
+std::string quoted_word(std::string_view word);
 
 class Options {
  public:
@@ -74,7 +78,7 @@ class Options {
   /// False where help was asked for. Throws UsageError, with a suggestion where an option looks
   /// misspelt.
   [[nodiscard]] bool parse(std::vector<std::string> arguments);
-  /// Of a line that is quoted like those of a shell. Throws UsageError.
+  /// Of a line of words between blanks, or quoted_word(). Throws UsageError.
   void parse_line(const std::string& line);
   [[nodiscard]] std::string help() const;
   /// Whether an option was given.

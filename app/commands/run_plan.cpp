@@ -89,6 +89,7 @@ RunPlan make_plan(const RunOptions& asked, const Scene& scene) {
   require_possible_steps(plan.end, asked.motion);
   require_body(asked.picture.camera, scene);
   if (has_frames(asked)) static_cast<void>(frame_count(plan.end, asked.rate));
+  if (asked.hold) static_cast<void>(frame_count(*asked.hold, {asked.rate.fps, 1.0}));
   if (!asked.outputs.empty()) {
     PictureOptions picture = asked.picture;
     picture.color_by = color_by(picture, scene.cubes.size());

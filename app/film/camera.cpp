@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/options.h"
 #include "app/cli/picture_values.h"
 #include "core/scene/suggestion.h"
 
@@ -61,7 +62,7 @@ std::string option_text(const Camera& camera) {
       return fmt::format("--view {},{},{}", camera.center.x(), camera.center.y(), camera.width)
              + zoom;
     case Camera::Kind::follow:
-      return fmt::format("--view \"follow:{}\"", camera.body) + zoom;
+      return "--view " + quoted_word(fmt::format("{}{}", follow_prefix, camera.body)) + zoom;
   }
   return "--view fit" + zoom;
 }

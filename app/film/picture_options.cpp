@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/options.h"
 
 namespace wuerfel {
 
@@ -23,6 +24,11 @@ bool shows_joints(Layers layers, ColorBy by) {
 
 bool marks_reasons(Layers layers) {
   return layers.has(Layer::causes) || layers.has(Layer::mechanism);
+}
+
+// None of them is a word too.
+std::string names_text(const std::string& names) {
+  return names.empty() ? quoted_word(names) : names;
 }
 
 }  // namespace
@@ -109,9 +115,9 @@ View view_of(const PictureOptions& fitted, const Snapshot& snapshot) {
 }
 
 std::string option_text(const PictureOptions& fitted) {
-  std::string text =
-      fmt::format("--size {}x{} --layers {} --theme {} {}", fitted.size.width, fitted.size.height,
-                  to_string(fitted.layers), to_string(fitted.theme), option_text(fitted.camera));
+  std::string text = fmt::format("--size {}x{} --layers {} --theme {} {}", fitted.size.width,
+                                 fitted.size.height, names_text(to_string(fitted.layers)),
+                                 to_string(fitted.theme), option_text(fitted.camera));
   if (fitted.rasteriser != PictureOptions{}.rasteriser)
     text += fmt::format(" --rasteriser {}", to_string(fitted.rasteriser));
   if (fitted.scale != 1.0) text += fmt::format(" --scale {}", fitted.scale);
@@ -126,8 +132,7 @@ std::string option_text(const PictureOptions& fitted) {
   if (fitted.rod_scale) text += fmt::format(" --rod-scale {}", *fitted.rod_scale);
   if (fitted.color_by) text += fmt::format(" --color {}", to_string(*fitted.color_by));
   if (fitted.color_top) text += fmt::format(" --color-top {}", *fitted.color_top);
-  if (fitted.legend && *fitted.legend != Legend{})
-    text += fmt::format(" --legend {}", to_string(*fitted.legend));
+  if (fitted.legend) text += " --legend " + names_text(to_string(*fitted.legend));
   if (fitted.explode > 0.0) text += fmt::format(" --explode {}", fitted.explode);
   if (fitted.average) text += fmt::format(" --average {}", *fitted.average);
   return text;

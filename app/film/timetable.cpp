@@ -14,8 +14,12 @@ long frame_count(double end, const FrameRate& rate) {
   constexpr double most_frames = 1e7;
   // 0.57 s at 100 frames/s are 57 frames after the first although the product is 56.99999999999999.
   const double exact = end * rate.fps / rate.speed;
-  if (!(exact < most_frames))
-    throw UsageError(fmt::format("{:.3g} frames are more than {:.0f}", exact, most_frames));
+  if (!(exact < most_frames)) {
+    throw UsageError(fmt::format(
+        "{:.3g} frames are more than {:.0f}; fewer are needed with a shorter --until or "
+        "--hold, a smaller --fps, or --fit instant for a figure",
+        exact, most_frames));
+  }
   return static_cast<long>(std::floor(exact + 1e-9 * std::max(1.0, exact))) + 1;
 }
 

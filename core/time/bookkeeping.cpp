@@ -108,7 +108,11 @@ void note_unexplained(const MomentumScale& scale, Bookkeeping& book) {
   audit.momentum_linear = std::max(audit.momentum_linear, sum.linear.norm() / scale.linear);
   audit.momentum_settled =
       std::max(audit.momentum_settled, book.settled.linear.norm() / scale.linear);
-  audit.momentum_angular = std::max(audit.momentum_angular, std::abs(sum.angular) / scale.angular);
+  // A point mass alone has no momentum about itself.
+  if (scale.angular > 0.0) {
+    audit.momentum_angular =
+        std::max(audit.momentum_angular, std::abs(sum.angular) / scale.angular);
+  }
 }
 
 void keep_cost(const Solves& solves, Bookkeeping& book) {

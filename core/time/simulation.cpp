@@ -15,14 +15,24 @@
 namespace wuerfel {
 namespace {
 
+bool in_groups(const MotionSettings& settings) {
+  return policy_of(settings).method == MotionPolicy::Method::groups;
+}
+
+/// Motions in steps of one length know neither friction nor restitution: their forces have none.
+System system_of(const Scene& scene, const MotionSettings& settings) {
+  System system = make_system(scene);
+  if (!in_groups(settings)) system.rubs = system.bounces = false;
+  return system;
+}
+
 /// `more`: where the motion is taken up again, a restart point.
 template <typename... More>
 std::unique_ptr<Motion> make_motion(const System& system,
                                     const MotionSettings& settings,
                                     const State& start,
                                     const More&... more) {
-  if (policy_of(settings).method == MotionPolicy::Method::groups)
-    return std::make_unique<IslandMotion>(system, settings, start, more...);
+  if (in_groups(settings)) return std::make_unique<IslandMotion>(system, settings, start, more...);
   return std::make_unique<FixedStepMotion>(system, settings, start, more...);
 }
 
@@ -49,7 +59,7 @@ struct Simulation::Impl {
   template <typename... More>
   Impl(const Scene& s, const MotionSettings& chosen, const More&... more)
       : scene(s),
-        system(make_system(s)),
+        system(system_of(s, chosen)),
         start(start_state(s)),
         energy_start(energy(system, start)),
         settings(chosen),

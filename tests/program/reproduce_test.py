@@ -37,6 +37,15 @@ class Reproduce(ProgramTest):
                     self.expect_identical("f/" + name)
                 shutil.rmtree(self.path("f"))
 
+    def test_no_layer_and_odd_names_are_options_too(self):
+        name = """a "b" 'c' \\ --d"""
+        scene = self.scene({**FLYING, "cube": [{**FLYING["cube"][0], "name": name}]})
+        for arguments in (("--layers", ""), ("--legend", ""), ("--view", "follow:" + name), ("--strip", "2x1", "--layers", "")):
+            for picture in ("f.png", "f.svg"):
+                with self.subTest(arguments=arguments, picture=picture):
+                    self.expect(0, "figure", scene, "-t", "0.1", "-o", picture, *SMALL, *arguments)
+                    self.assertEqual(self.expect(0, "reproduce", picture).stdout, "identical\n")
+
     def test_scales_of_what_does_not_occur_are_not_fitted_anew(self):
         whole = ("--layers", EVERYTHING + ",accelerations", *SMALL)
         flying = {**FLYING, "gravity": [0, 0]}

@@ -187,6 +187,14 @@ class SeveralScenes(ProgramTest):
 
 
 class Tables(ProgramTest):
+    def test_steps_without_friction_have_forces_without_friction(self):
+        scene = self.scene({**STANDING, "material": {"friction": 0.5, "restitution": 0.5}, "cube": [{**STANDING["cube"][0], "velocity": [2, 0]}]})
+        for integrator in ("moreau", "symplectic", "euler"):
+            with self.subTest(integrator):
+                self.expect(0, "run", scene, "--until", "0.1", "--integrator", integrator, "--forces", "f.csv")
+                with open(self.path("f.csv")) as file:
+                    self.assertEqual({row["kind"] for row in csv.DictReader(file)}, {"contact"})
+
     def rows(self, name):
         with open(self.path(name), newline="") as file:
             return list(csv.DictReader(file))

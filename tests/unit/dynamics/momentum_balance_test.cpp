@@ -47,6 +47,16 @@ size = 0.5
 position = [0.1, 1.25]
 )";
 
+/// About itself it has no momentum that rounding could be a share of.
+constexpr const char* point_alone = R"(
+[[plane]]
+name = "floor"
+[[point]]
+position = [0.0, 2.379058802825189]
+velocity = [1.097124196368993, 0.01881842648233878]
+mass = 0.1964589595535936
+)";
+
 constexpr const char* in_space = R"(
 gravity = [0.0, 0.0]
 [[cube]]
@@ -68,6 +78,8 @@ TEST(MomentumBalance, KnowsTheForcesAlongSides) { EXPECT_LT(unexplained_in(rubbi
 TEST(MomentumBalance, ClosesWhereNothingIsFixed) {
   EXPECT_LT(unexplained_in(in_space, 5.0), 1e-12);
 }
+
+TEST(MomentumBalance, ClosesOfAPointAlone) { EXPECT_LT(unexplained_in(point_alone, 0.4), 1e-12); }
 
 TEST(MomentumBalance, ClosesInSteps) {
   EXPECT_LT(unexplained_in(in_space, 5.0, Integrator::rattle), 1e-12);
