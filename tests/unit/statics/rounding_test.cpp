@@ -50,5 +50,19 @@ TEST(ForceRanges, HaveAWidthWhereOnlyFewOtherForcesShowIt) {
   EXPECT_NEAR(range.high, 1.0313253994822307, rounded);
 }
 
+// A cube moves below one that falls by itself, which is no concern of its.
+TEST(Moves, DoNotDependOnTheOrderOfCubes) {
+  std::vector<SceneCube> cubes{cube("low", {0.0, 0.5}),
+                               sized_cube("falls", {-1.2, 1.5}, {0.6, 1.0})};
+  for (const int low : {0, 1}) {
+    Scene scene = on_floor(cubes);
+    set_friction(0.1, scene);
+    const LoadRange move = margins_and_moves(scene).bodies[low].move;
+    EXPECT_EQ(move.low, -unbounded) << low;
+    EXPECT_EQ(move.high, unbounded) << low;
+    std::ranges::reverse(cubes);
+  }
+}
+
 }  // namespace
 }  // namespace wuerfel::test
