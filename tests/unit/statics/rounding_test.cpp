@@ -64,5 +64,65 @@ TEST(Moves, DoNotDependOnTheOrderOfCubes) {
   }
 }
 
+// Directions of gravity and of sides that differ in their last bit are the same.
+TEST(Loads, OnSmoothCubesHaveNoLimitWhereverDownIs) {
+  for (const double angle : {0.0, 0.3, 0.7, 1.1}) {
+    const Vec2 right(cos(angle), sin(angle));
+    const Vec2 up = perp(right);
+    Scene scene = on_floor({cube("a", 0.5 * up, angle), cube("b", 0.5 * up + right, angle)});
+    scene.planes.front().normal = up;
+    scene.gravity = -g * up;
+    set_friction(0.5, scene);
+    for (SceneCube& c : scene.cubes)
+      c.material.friction = 0.0;
+    for (const BodyMargin& body : margins_and_moves(scene).bodies)
+      EXPECT_EQ(body.load.high, unbounded) << angle;
+  }
+}
+
+// What falls by itself on top is mended by no load below.
+TEST(Loads, BelowWhatFallsMendNothing) {
+  const double y = 0.9397167767689176;
+  const double h = 1.8794335535378353;
+  Scene scene = on_floor(
+      {sized_cube("b0", {0.8428860763949801, y}, {1.0, h}),
+       sized_cube("b1", {2.3607986343981775, y}, {2.035825116006395, h}),
+       sized_cube("b2", {3.8787111924013753, y}, {1.0, h}),
+       sized_cube("b3", {0.9520421972830266, 2.3260533904710314}, {2.0, 0.8932396738663926}),
+       sized_cube("b4", {1.0, 3.272673227404228}, {2.0, 1.0}),
+       sized_cube("b5", {2.0019841324458483, 4.1126158182138495},
+                  {2.7869351112960126, 0.6798851816192428})});
+  set_friction(0.6, scene);
+  scene.cubes[1].mass = 0.41687973863229094;
+  scene.cubes[5].mass = 0.11636288648562645;
+  for (const Scene& seen : {scene, mirrored(scene)})
+    for (const BodyMargin& body : margins_and_moves(seen).bodies)
+      EXPECT_EQ(is_empty(body.load), body.cube != 5) << body.cube << ": " << body.load.low;
+}
+
+// The end is where an exact cut says; what rounding left of the motion there went beyond it by 0.3 %.
+TEST(ForceRanges, EndAtExactCuts) {
+  const double y = 0.8398728502260628;
+  Scene scene = on_floor(
+      {sized_cube("b0", {0.24489360645922598, 0.1699364251130314},
+                  {2.489787212918452, 0.3398728502260628}),
+       cube("b2", {0.0, y}), sized_cube("b3", {1.0584720889224286, y}, {0.5316617258402003, 1.0}),
+       cube("b4", {-0.18044562627526028, 1.0 + y}), cube("b5", {0.9251785848866991, 1.0 + y}),
+       sized_cube("b6", {0.010014971212361723, 2.0 + y}, {1.5, 1.0})});
+  scene.gravity = {3.1918698207462852, -9.276209734983846};
+  const std::array friction{0.6, 0.6, 0.3, 0.22372388641497387, 0.3, 0.6};
+  for (std::size_t k = 0; k < friction.size(); ++k)
+    scene.cubes[k].material.friction = friction[k];
+  scene.cubes[1].mass = 0.31908875464211783;
+  scene.cubes[3].mass = 0.17988426867876245;
+  scene.cubes[4].mass = 0.7164237080506081;
+  for (const double side : {1.0, -1.0}) {
+    const StillScene seen = still(side > 0.0 ? scene : mirrored(scene));
+    const LoadRange range = range_at(seen, 0, 1, {-0.5 * side, 0.34});
+    EXPECT_NEAR(range.low, 4.2744980464, rounded) << side;
+    EXPECT_NEAR(range.high, 11.7315690972, rounded) << side;
+  }
+}
+
 }  // namespace
 }  // namespace wuerfel::test
