@@ -124,5 +124,16 @@ TEST(ForceRanges, EndAtExactCuts) {
   }
 }
 
+TEST(Tilts, OfWhatStandsHaveTheUpright) {
+  Scene scene = on_floor({sized_cube("b0", {-0.40229123856989357, 0.25}, {1.0, 0.5}),
+                          sized_cube("b1", {1.9025057647592498, 0.25}, {2.0, 0.5}),
+                          sized_cube("b2", {4.141683615415088, 0.25}, {1.0, 0.5}),
+                          sized_cube("b3", {1.0, 1.0}, {2.0, 1.0})});
+  set_friction(0.6, scene);
+  scene.cubes[1].material.friction = 0.0;
+  scene.cubes[2].material.friction = 0.0;
+  EXPECT_TRUE(tilt_range(still(scene), Sliding::given).contains(0.0));
+}
+
 }  // namespace
 }  // namespace wuerfel::test
