@@ -195,7 +195,8 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
   sharpness_ = known.sharpness;
   if (known.s == unbounded) {
     const std::vector<double> nothing(q.size(), 0.0);
-    if (balances(q, nothing, 0.0)) return {};
+    // What is next to balanced has an end that drowns the weights.
+    if (balances(q, nothing, 0.0) || unrest_ <= nearly_at_rest) return {};
     next = cut(w, q);
   }
   Top found{next.s};
