@@ -250,7 +250,7 @@ def families(reference):
         Family("random_standing", "scenes", [*range(60), 2802, 7741, 8173, 9956], list(range(10000)), random_standing, collection=True,
                known=("random_standing 4471",)),
         Family("random_events", "scenes", [40, 61, 133, 256], list(range(1000)), random_events, collection=True),
-        Family("seen_otherwise", "scenes", list(range(40)), list(range(10000)), seen_otherwise, collection=True),
+        Family("seen_otherwise", "scenes", [*range(40), 1086], list(range(10000)), seen_otherwise, collection=True),
         Family("laws", "scenes", list(range(60)), list(range(10000)), random_laws, collection=True),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle across a gap",)),
