@@ -95,9 +95,10 @@ TEST(Loads, BelowWhatFallsMendNothing) {
   set_friction(0.6, scene);
   scene.cubes[1].mass = 0.41687973863229094;
   scene.cubes[5].mass = 0.11636288648562645;
-  for (const Scene& seen : {scene, mirrored(scene)})
+  for (const Scene& seen : {scene, mirrored(scene)}) {
     for (const BodyMargin& body : margins_and_moves(seen).bodies)
       EXPECT_EQ(is_empty(body.load), body.cube != 5) << body.cube << ": " << body.load.low;
+  }
 }
 
 // The end is where an exact cut says; what rounding left of the motion there went beyond it by 0.3 %.
