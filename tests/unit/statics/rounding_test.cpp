@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/check.h"
 #include "core/geometry/trig.h"
 #include "core/statics/margins.h"
 #include "core/statics/ranges.h"
@@ -134,6 +135,34 @@ TEST(Tilts, OfWhatStandsHaveTheUpright) {
   scene.cubes[1].material.friction = 0.0;
   scene.cubes[2].material.friction = 0.0;
   EXPECT_TRUE(tilt_range(still(scene), Sliding::given).contains(0.0));
+}
+
+// A blow leaves the velocities of those that it does not move at 1e-12 of its own: no slip that friction acts against.
+TEST(Check, ForcesOnWhatABlowLeavesAtRestAreThoseOfRest) {
+  const auto forces = [](double angle) {
+    const Vec2 right(cos(angle), sin(angle));
+    const auto at = [&](double x, double y) -> Vec2 { return x * right + y * perp(right); };
+    Scene scene = on_floor({sized_cube("left", at(-0.75, 0.5), {1.5, 1.0}, angle),
+                            sized_cube("right", at(0.75, 0.5), {1.5, 1.0}, angle),
+                            sized_cube("struck", at(0.4, 1.25), {1.5, 0.5}, angle),
+                            sized_cube("strikes", at(1.35, 1.25), {0.4, 0.5}, angle)});
+    scene.planes.front().normal = perp(right);
+    scene.planes.push_back({"wall", at(-1.5, 0.0), right, {}});
+    scene.gravity = -g * perp(right);
+    set_friction(0.3, scene);
+    scene.cubes[2].material.friction = 0.0;
+    scene.cubes[3].velocity = -0.9 * right;
+    std::vector<double> found;
+    for (const auto& contact : check(scene, {}).contacts)
+      found.push_back(contact.force);
+    std::ranges::sort(found);
+    return found;
+  };
+  const std::vector<double> level = forces(0.0);
+  const std::vector<double> turned = forces(0.7);
+  ASSERT_EQ(level.size(), turned.size());
+  for (std::size_t k = 0; k < level.size(); ++k)
+    EXPECT_NEAR(level[k], turned[k], rounded) << k;
 }
 
 }  // namespace
