@@ -56,6 +56,9 @@ void strike(State& state, Workspace& work, Bookkeeping& book) {
     const IslandSolution after = work.friction.impact(state, island, slow);
     keep_book(after, book);
     set_velocities(island, after.twists, state);
+    // What the law leaves of the velocities of those that stay is no slip.
+    for (const int cube : island.cubes)
+      if (fastest_corner(system.body(cube), state[cube]) <= slow) stop(state[cube]);
   }
 }
 

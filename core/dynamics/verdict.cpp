@@ -86,11 +86,13 @@ Unrest unrest_of(const System& system,
 }
 
 /// The most that an island at rest which has no equilibrium moves in its certificate, as a share of
-/// g.
+/// g. An island that cubes belong to which fall anyway has none for their sake.
 double largest_unrest(const InstantForces& found, std::span<const char> watched) {
   double e = 0.0;
   for (const IslandForces& of : found.islands) {
-    const bool counts = watched.empty() || watched[of.island.cubes.front()] != 0;
+    const bool counts = watched.empty() || std::ranges::all_of(of.island.cubes, [&](int cube) {
+                          return watched[cube] != 0;
+                        });
     if (counts && of.friction && !of.friction->equilibrium) e = std::max(e, of.friction->unrest);
   }
   return e;

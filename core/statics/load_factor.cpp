@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "core/dynamics/gauss.h"
 
@@ -44,10 +45,7 @@ constexpr double drowning = 1e9;
 constexpr double digits_of_ends = 1e-6;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    sum += a[k] * b[k];
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 std::vector<double> reversed(std::vector<double> q) {
@@ -140,19 +138,22 @@ bool LoadFactor::is_large() const { return program_.rows() > many_rows; }
 LoadFactor::Cut LoadFactor::cut(const std::vector<double>& w, const std::vector<double>& q) {
   const std::vector<double> a = result_.x;
   const double power = dot(q, a);
-  double of_load = 0.0;
-  for (int k = 0; k < program_.unknowns(); ++k)
-    of_load += std::abs(q[k] * a[k]);
-  if (power <= powerless * of_load) return {0.0, true, false};
+  double of_load = 0.0;    // |M^-1 q|_M^2
+  double of_motion = 0.0;  // |a|_M^2
+  for (int k = 0; k < program_.unknowns(); ++k) {
+    of_load += q[k] * q[k] / program_.mass[k];
+    of_motion += a[k] * a[k] * program_.mass[k];
+  }
+  if (power <= powerless * std::sqrt(of_load * of_motion)) return {0.0, true, false};
   double s = -dot(w, a) / power;
   double exact = 0.0;
   sharpness_ = 0.0;
   // What is left of a motion near the end is known to its rounding only.
-  const double noise = cut_noise * std::max(rounding, result_.residual.worst()) / unrest_;
+  noise_ = cut_noise * std::max(rounding, result_.residual.worst()) / unrest_;
   // Far above the end a large program does not pay for it.
-  if (is_large() && unrest_ > far_above) return {s, false, false, noise};
+  if (is_large() && unrest_ > far_above) return {s, false, false, noise_};
   if (!exact_cut(w, q, exact)) return {s};
-  if (exact - s > noise * (1.0 + std::abs(s))) return {s};
+  if (exact - s > noise_ * (1.0 + std::abs(s))) return {s};
   return {exact, false, true};
 }
 
@@ -171,11 +172,11 @@ void LoadFactor::confirm(const std::vector<double>& w, const std::vector<double>
 }
 
 /// The error of what was found, from a last cut that was off by `error`; where that says too little, by another way.
-void LoadFactor::make_sure(const std::vector<double>& w,
-                           const std::vector<double>& q,
-                           double error,
-                           bool last,
-                           Top& found) {
+LoadFactor::Top LoadFactor::make_sure(const std::vector<double>& w,
+                                      const std::vector<double>& q,
+                                      double error,
+                                      bool last,
+                                      Top found) {
   if (found.exact && unrest_ <= certain * sharpness_) {
     found.error = unrest_ / sharpness_;
   } else if (is_large() && error <= certain_of_large) {
@@ -183,6 +184,7 @@ void LoadFactor::make_sure(const std::vector<double>& w,
   } else if (last || unrest_ > certain_of_any || sharpness_ < sharp) {
     confirm(w, q, found);
   }
+  return found;
 }
 
 LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
@@ -193,7 +195,8 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
   sharpness_ = known.sharpness;
   if (known.s == unbounded) {
     const std::vector<double> nothing(q.size(), 0.0);
-    if (balances(q, nothing, 0.0)) return {};
+    // What is next to balanced has an end that drowns the weights.
+    if (balances(q, nothing, 0.0) || unrest_ <= nearly_at_rest) return {};
     next = cut(w, q);
   }
   Top found{next.s};
@@ -207,11 +210,12 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
     found.exact = next.exact;
     // No cut goes below this one, or there are forces.
     const bool last = k > 0 && step <= 1e-14 * std::abs(found.s);
-    if (last || balances(w, q, found.s)) {
-      make_sure(w, q, next.error, last, found);
-      return found;
-    }
+    if (last || balances(w, q, found.s)) return make_sure(w, q, next.error, last, found);
     next = cut(w, q);
+    // An exact cut that leaves next to no motion is not bettered by what rounding may have left of it.
+    const double noise = noise_ * (1.0 + std::abs(found.s));
+    if (found.exact && !next.exact && !next.none && found.s - next.s <= noise)
+      return make_sure(w, q, next.error, true, found);
   }
   return {none};
 }

@@ -79,11 +79,11 @@ class LoadFactor {
   Top top(const std::vector<double>& w, const std::vector<double>& q, const KnownCut& known);
   static Top bounded_by_more_than_rounding(Top top);
   void confirm(const std::vector<double>& w, const std::vector<double>& q, Top& found);
-  void make_sure(const std::vector<double>& w,
-                 const std::vector<double>& q,
-                 double error,
-                 bool last,
-                 Top& found);
+  Top make_sure(const std::vector<double>& w,
+                const std::vector<double>& q,
+                double error,
+                bool last,
+                Top found);
   bool is_determinate();
   /// The only forces that leave of a load nothing but `x`.
   void solve_all(const std::vector<double>& load, std::vector<double>& x, std::vector<double>& f);
@@ -102,6 +102,7 @@ class LoadFactor {
   std::unique_ptr<QpSolver> solver_;
   QpResult result_;         ///< of the last `balances`
   double unrest_ = 0.0;     ///< its largest acceleration, relative to that of the load
+  double noise_ = 0.0;      ///< relative, of the last cut, where that is not exact
   double sharpness_ = 0.0;  ///< of the last exact cut, as in KnownCut
   EqualitySolver equalities_;
   EqualitySolver all_rows_;

@@ -18,9 +18,10 @@ LoadRange intersection(const LoadRange& a, const LoadRange& b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high), std::max(a.error, b.error)};
 }
 
-/// An end that is zero but for rounding, of a scene that stands, is zero: a knife edge.
+/// An end that is zero but for rounding, of a scene that stands, is zero: a knife edge, of which rounding may have crossed
+/// both ends.
 LoadRange around_zero(const LoadRange& range, bool stands) {
-  if (!stands || is_empty(range)) return range;
+  if (!stands) return range;
   return {std::min(range.low, 0.0) + 0.0, std::max(range.high, 0.0) + 0.0, range.error};
 }
 
@@ -189,11 +190,12 @@ LoadRange tilt_range(const StillScene& still, Sliding sliding) {
     for (const int cube : of.island.cubes)
       free[cube] = 0;
     const Load q = share_of_weights(still, of.island, still.right());
-    range = intersection(range, IslandLoads(still, of.island, sliding).range(q));
+    const LoadRange own = IslandLoads(still, of.island, sliding).range(q);
+    range = intersection(range, around_zero(own, of.rests));
     if (is_empty(range)) return no_load;
   }
   if (std::ranges::find(free, 1) != free.end()) return no_load;  // falls freely
-  return around_zero(range, still.verdict == Verdict::stands);
+  return range;
 }
 
 Margins find_margins(const StillScene& still,

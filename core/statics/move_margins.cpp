@@ -148,7 +148,8 @@ LoadRange MoveMargins::range_of(int cube, const CarriedGroup& group) {
   const auto rounded = [&](double s) {
     return std::abs(s) <= way_rounding * search.side() ? 0.0 : s;
   };
-  return {rounded(left.s), rounded(right.s), std::max(left.error, right.error)};
+  return {std::min(0.0, rounded(left.s)), std::max(0.0, rounded(right.s)),
+          std::max(left.error, right.error)};
 }
 
 std::optional<double> mending_move(const StillScene& still,

@@ -23,8 +23,10 @@ MoveSearch::MoveSearch(const StillScene& still,
 
 bool MoveSearch::changes_at(double s, double sense) const {
   if (!std::isfinite(s) || s == 0.0) return false;
+  // A neighbour that it meets may hold again what has fallen just before.
+  constexpr double nearly = 0.99;
   return stands(s - sense * bracketed * side_) && !stands(s + sense * seen_to_fall * side_)
-         && stands(0.5 * s);
+         && stands(0.5 * s) && stands(nearly * s);
 }
 
 MoveSearch::End MoveSearch::end(double in, double out) const {

@@ -10,6 +10,8 @@ namespace {
 
 /// A contact closes that does so by more than this share of how far the part reaches.
 constexpr double closing = 1e-12;
+/// A load whose power is below this share of what it could be has none: rounding of directions.
+constexpr double powerless = 1e-12;
 constexpr std::size_t many_cubes = 128;
 constexpr std::size_t few_cubes = 3;
 
@@ -123,7 +125,8 @@ KnownCut PartMotions::cut(const Load& w, const Load& q) const {
       square += mass_[3 * place] * twist.linear.squaredNorm()
                 + mass_[3 * place + 2] * twist.angular * twist.angular;
     }
-    best = {s, of_load * of_load / (square * size)};
+    const double sharpness = of_load * of_load / (square * size);
+    if (sharpness > powerless * powerless) best = {s, sharpness};
   }
   return best;
 }

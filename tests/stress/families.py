@@ -6,6 +6,8 @@ from case import OVER_BUDGET, Case, Outcome
 from gallery import cube, gallery, scene
 from random_scenes import random_scene
 from rubbing import bounces, friction, momentum, random_events, random_joined, random_rubbing, random_standing, seams
+from laws import random_laws
+from seen_otherwise import seen_otherwise
 
 EPS = 2.0**-52
 GRAVITY = 9.81
@@ -248,6 +250,8 @@ def families(reference):
         Family("random_standing", "scenes", [*range(60), 2802, 7741, 8173, 9956], list(range(10000)), random_standing, collection=True,
                known=("random_standing 4471",)),
         Family("random_events", "scenes", [40, 61, 133, 256], list(range(1000)), random_events, collection=True),
+        Family("seen_otherwise", "scenes", [*range(40), 1086], list(range(10000)), seen_otherwise, collection=True),
+        Family("laws", "scenes", list(range(60)), list(range(10000)), random_laws, collection=True),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle across a gap",)),
         Family("soak", "steps", [1e4], powers(4, 7), soak, patience=5),

@@ -10,6 +10,7 @@ import unittest
 sys.dont_write_bytecode = True
 
 from case import Case, run_case  # noqa: E402
+from laws import around, obeys  # noqa: E402
 from overlap import deepest  # noqa: E402
 from random_scenes import KINDS, random_scene  # noqa: E402
 from shrink import shrink  # noqa: E402
@@ -82,6 +83,31 @@ class Judge(unittest.TestCase):
 
     def test_what_a_case_expects_is_asked(self):
         self.assertEqual(self.status(self.answers(json.dumps(GOOD)), expect=lambda answer: "no"), "wrong answer")
+
+    def test_a_case_that_follows_must_hold_as_well(self):
+        def then(a_scene, answer):
+            return Case(a_scene, expect=lambda seen: None if seen == answer else "no", then=lambda *_: Case(a_scene, expect=lambda _: "no"))
+        self.assertEqual(self.status(self.answers(json.dumps(GOOD)), then=then), "wrong answer")
+
+
+class Laws(unittest.TestCase):
+    def said_of(self, y, acceleration, mu=0.5):
+        """Of a unit cube that slides to the right on a floor, or above it, at 1 m/s."""
+        a_scene = {"material": {"friction": mu}, "plane": [{"name": "floor", "normal": [0, 1]}], "cube": [{"name": "a", "size": [1, 1], "mass": 2.0}]}
+        ax, ay = acceleration
+
+        def state(t):
+            return {"x": 1 + t + ax * t * t / 2, "y": y + ay * t * t / 2, "theta": 0, "vx": 1 + ax * t, "vy": ay * t, "omega": 0}
+        times = [0.0]
+        samples = [{"t": t, "bodies": {"a": state(t)}} for t in around(0.0)]
+        return obeys(a_scene, times)({"cost": {"hand_overs": 0}, "events": [], "samples": samples})
+
+    def test_what_no_forces_explain_is_seen(self):
+        self.assertIsNone(self.said_of(1.0, (0, -9.81)))
+        self.assertIsNone(self.said_of(0.5, (-0.5 * 9.81, 0)))
+        self.assertIsNotNone(self.said_of(1.0, (0, -9.8)))
+        self.assertIsNotNone(self.said_of(0.5, (-0.51 * 9.81, 0)))
+        self.assertIsNotNone(self.said_of(0.5, (0, 0)))
 
 
 class Shrink(unittest.TestCase):

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double same_force = 1e-7;  ///< of the largest
 constexpr double same_row = 1e-9;
-/// Of the largest force: wishes of other ones, each with its opposite. Far ones lead to the ends of what is possible, near ones often
-/// back to the forces of least norm.
-constexpr std::array wish_sizes{1.0, 30.0, 1000.0};
+/// Of the largest force: wishes of other ones, each with its opposite.
+constexpr std::array wish_sizes{1.0, 1000.0};
+constexpr int most_pushes = 8;
 
 /// Whether tangential forces of two units act alike: both are of the same flush sides.
 bool act_alike(const ContactForm& form, const ContactUnit& a, const ContactUnit& b) {
@@ -62,53 +62,105 @@ std::vector<Pair> with_sums(std::vector<Pair> l, const std::vector<int>& first) 
   return l;
 }
 
-/// Forces that are by more than `least` N away from the canonical ones are not the only ones.
-void mark_moved(const std::vector<Pair>& l,
-                const std::vector<Pair>& canonical,
-                double least,
-                std::vector<bool>& unique) {
-  for (std::size_t i = 0; i < unique.size(); ++i) {
-    const double change =
-        std::max(std::abs(l[i].n - canonical[i].n), std::abs(l[i].t - canonical[i].t));
-    if (change > least) unique[i] = false;
+/// From forces on a face of the cone of unit i into it; nothing from its inside.
+Pair inward(const ForceProblem& p, int i, const Pair& l, double least) {
+  if (p.cone[i] == Cone::nothing || p.cone[i] == Cone::free) return {};
+  if (l.n <= least) return {1.0, 0.0};
+  const double mu = p.form.units()[i].mu;
+  if (p.cone[i] != Cone::cone || mu * l.n - std::abs(l.t) > least) return {};
+  const double size = std::sqrt(1.0 + mu * mu);
+  return {mu / size, std::copysign(1.0, -l.t) / size};
+}
+
+/// Which forces are the only ones possible: those that wishes of other ones do not move. Wishes end on faces of what is
+/// possible, from which few others move; so the middle of what they found is pushed off all faces that it can leave.
+class UniqueForces {
+ public:
+  UniqueForces(ForceProblem& p, const std::vector<Pair>& least)
+      : p_(&p),
+        first_(first_alike(p.form)),
+        canonical_(with_sums(least, first_)),
+        middle_(least),
+        unique_(least.size(), true),
+        dice_(least.size()) {
+    for (const Pair& l : canonical_)
+      force_ = std::max({force_, std::abs(l.n), std::abs(l.t)});
+    if (force_ == 0.0) force_ = 1.0;  // what is braced presses as hard as it likes
+    searched_ = !is_open();
   }
-}
 
-/// Whether any of the marked units may carry something.
-bool any_carries(const ForceProblem& p, const std::vector<bool>& marked) {
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i] && p.cone[i] != Cone::nothing) return true;
-  return false;
-}
-
-/// A force is the only one possible if wishes of other ones do not move it, and are granted.
-std::vector<bool> find_unique(ForceProblem& p, const std::vector<Pair>& least) {
-  const std::vector<int> first = first_alike(p.form);
-  const std::vector<Pair> canonical = with_sums(least, first);
-  double force = 0.0;
-  for (const Pair& l : canonical)
-    force = std::max({force, std::abs(l.n), std::abs(l.t)});
-  if (force == 0.0) force = 1.0;  // what is braced presses as hard as it likes
-  std::vector<bool> unique(canonical.size(), true);
-  Dice dice(canonical.size());
-  std::vector<Pair> wish(canonical.size());
-  bool searched = !any_carries(p, unique);
-  for (const double size : wish_sizes) {
-    if (!any_carries(p, unique)) break;
-    for (Pair& w : wish)
-      w = {size * force * (2.0 * dice.next() - 1.0), size * force * (2.0 * dice.next() - 1.0)};
-    for (int opposite = 0; opposite < 2; ++opposite) {
-      const NearestForces other = nearest(p, wish);
-      searched = searched || other.misfit <= good_balance;
-      if (other.misfit <= good_balance)
-        mark_moved(with_sums(other.l, first), canonical, same_force * force, unique);
-      for (Pair& w : wish)
-        w = {-w.n, -w.t};
+  std::vector<bool> find() {
+    const std::vector<Pair> nothing(middle_.size());
+    for (const double size : wish_sizes)
+      if (is_open()) wish_both_ways(nothing, size * force_);
+    for (int k = 0; k < most_pushes && is_open() && push(); ++k) {
     }
+    if (is_open()) wish_both_ways(middle_, force_);
+    if (!searched_) unique_.assign(unique_.size(), false);
+    return unique_;
   }
-  if (!searched) unique.assign(unique.size(), false);
-  return unique;
-}
+
+ private:
+  /// Whether any unit whose force is the only one so far may carry something.
+  [[nodiscard]] bool is_open() const {
+    for (std::size_t i = 0; i < unique_.size(); ++i)
+      if (unique_[i] && p_->cone[i] != Cone::nothing) return true;
+    return false;
+  }
+
+  void wish_both_ways(const std::vector<Pair>& from, double size) {
+    std::vector<Pair> there = from;
+    std::vector<Pair> back = from;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Pair w{size * (2.0 * dice_.next() - 1.0), size * (2.0 * dice_.next() - 1.0)};
+      there[i] = {from[i].n + w.n, from[i].t + w.t};
+      back[i] = {from[i].n - w.n, from[i].t - w.t};
+    }
+    (void)wish(there);
+    (void)wish(back);
+  }
+
+  /// Whether the middle has left a face.
+  bool push() {
+    std::vector<Pair> pushed = middle_;
+    std::vector<char> on_face(middle_.size(), 0);
+    for (int i = 0; i < p_->form.count(); ++i) {
+      const Pair in = inward(*p_, i, middle_[i], least());
+      pushed[i].n += force_ * in.n;
+      pushed[i].t += force_ * in.t;
+      on_face[i] = in.n != 0.0 ? 1 : 0;
+    }
+    if (std::ranges::count(on_face, 1) == 0 || !wish(pushed)) return false;
+    for (int i = 0; i < p_->form.count(); ++i)
+      if (on_face[i] != 0 && inward(*p_, i, middle_[i], least()).n == 0.0) return true;
+    return false;
+  }
+
+  /// Forces that are away from the canonical ones are not the only ones. Whether the wish was granted.
+  bool wish(const std::vector<Pair>& wish) {
+    const NearestForces other = nearest(*p_, wish);
+    if (other.misfit > good_balance) return false;
+    searched_ = true;
+    const std::vector<Pair> l = with_sums(other.l, first_);
+    for (std::size_t i = 0; i < l.size(); ++i) {
+      const Pair& c = canonical_[i];
+      if (std::max(std::abs(l[i].n - c.n), std::abs(l[i].t - c.t)) > least()) unique_[i] = false;
+      middle_[i] = {0.5 * (middle_[i].n + other.l[i].n), 0.5 * (middle_[i].t + other.l[i].t)};
+    }
+    return true;
+  }
+
+  [[nodiscard]] double least() const { return same_force * force_; }  ///< that counts, N
+
+  ForceProblem* p_;
+  std::vector<int> first_;
+  std::vector<Pair> canonical_;
+  std::vector<Pair> middle_;
+  std::vector<bool> unique_;
+  Dice dice_;
+  double force_ = 0.0;  ///< the largest, N
+  bool searched_ = false;
+};
 
 }  // namespace
 
@@ -121,7 +173,7 @@ CanonicalForces canonical_friction(const FrictionProgram& friction,
   CanonicalForces result{multiplier, std::vector<bool>(p.form.count(), false), least.misfit};
   if (least.misfit > good_balance) return result;
   p.form.read(least.l, result.multiplier);
-  if (with_unique) result.unique = find_unique(p, least.l);
+  if (with_unique) result.unique = UniqueForces(p, least.l).find();
   return result;
 }
 
