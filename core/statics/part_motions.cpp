@@ -11,7 +11,7 @@ namespace {
 /// A contact closes that does so by more than this share of how far the part reaches.
 constexpr double closing = 1e-12;
 /// A load whose power is below this share of what it could be has none: rounding of directions.
-constexpr double powerless = 1e-12;
+constexpr double powerless_load = 1e-12;
 constexpr std::size_t many_cubes = 128;
 constexpr std::size_t few_cubes = 3;
 
@@ -126,7 +126,7 @@ KnownCut PartMotions::cut(const Load& w, const Load& q) const {
                 + mass_[3 * place + 2] * twist.angular * twist.angular;
     }
     const double sharpness = of_load * of_load / (square * size);
-    if (sharpness > powerless * powerless) best = {s, sharpness};
+    if (sharpness > powerless_load * powerless_load) best = {s, sharpness};
   }
   return best;
 }
