@@ -15,6 +15,8 @@ constexpr double same_force = 1e-7;  ///< of the largest
 constexpr double same_row = 1e-9;
 /// Of the largest force: wishes of other ones, each with its opposite.
 constexpr std::array wish_sizes{1.0, 1000.0};
+constexpr double far_along =
+    1e3;  ///< times the friction that wishes of this size allow: tangential ones reach no farther
 constexpr int most_pushes = 8;
 
 /// Whether tangential forces of two units act alike: both are of the same flush sides.
@@ -112,7 +114,8 @@ class UniqueForces {
     std::vector<Pair> there = from;
     std::vector<Pair> back = from;
     for (std::size_t i = 0; i < from.size(); ++i) {
-      const Pair w{size * (2.0 * dice_.next() - 1.0), size * (2.0 * dice_.next() - 1.0)};
+      const double along = std::min(1.0, far_along * p_->form.units()[i].mu);
+      const Pair w{size * (2.0 * dice_.next() - 1.0), along * size * (2.0 * dice_.next() - 1.0)};
       there[i] = {from[i].n + w.n, from[i].t + w.t};
       back[i] = {from[i].n - w.n, from[i].t - w.t};
     }

@@ -288,6 +288,18 @@ void ContactForm::read(const QuadraticProgram& program,
   }
 }
 
+void ContactForm::write(const QuadraticProgram& program,
+                        const std::vector<double>& x,
+                        std::vector<Quad>& y) const {
+  y.assign(blocks_, Quad{});
+  for (int number = 0; number < blocks_; ++number) {
+    for (int c = 0; c < program.block_size; ++c) {
+      const int j = order_[number] * program.block_size + c;
+      y[number].v[c] = (x[j] - program.target[j]) / root_[number].v[c];
+    }
+  }
+}
+
 void ContactForm::read(const std::vector<Pair>& l, std::vector<double>& multiplier) const {
   multiplier.assign(rows_, 0.0);
   for (int i = 0; i < count(); ++i) {

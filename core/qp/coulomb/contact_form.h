@@ -79,6 +79,10 @@ class ContactForm {
   void read(const QuadraticProgram& program,
             const std::vector<Quad>& y,
             std::vector<double>& x) const;
+  /// y = M^(1/2) (x - f), the other way round.
+  void write(const QuadraticProgram& program,
+             const std::vector<double>& x,
+             std::vector<Quad>& y) const;
   /// The multipliers of all rows.
   void read(const std::vector<Pair>& l, std::vector<double>& multiplier) const;
 

@@ -12,6 +12,8 @@ constexpr double stiffness = 1e6;  ///< in units of 1 / |g|^2
 constexpr int most_newton_steps = 60;
 constexpr int most_rounds = 100;
 constexpr double exact_balance = 1e-14;
+/// Coefficients of friction of cones whose edges hold up what is still on its way.
+constexpr double thin_cone = 1e-4;
 
 /// Where on its cone a projection falls.
 enum class Face : signed char { out, in, edge_forward, edge_back };
@@ -65,6 +67,9 @@ Face project(const ForceProblem& p, int i, Pair& v) {
     case Cone::half_line:
       v = {std::max(v.n, 0.0), 0.0};
       return v.n > 0.0 ? Face::in : Face::out;
+    case Cone::wide:
+      if (v.n <= 0.0) v = {};
+      return v.n > 0.0 ? Face::in : Face::out;
     case Cone::edge:
     case Cone::cone:
       break;
@@ -83,7 +88,8 @@ Face project(const ForceProblem& p, int i, Pair& v) {
 /// The derivative of the projection, times rho.
 ContactForm::Weight face_weight(const ForceProblem& p, int i, Face face) {
   if (face == Face::out) return {};
-  if (face == Face::in) return {.nn = p.rho, .tt = p.cone[i] == Cone::cone ? p.rho : 0.0};
+  const bool rubs = p.cone[i] == Cone::cone || p.cone[i] == Cone::wide;
+  if (face == Face::in) return {.nn = p.rho, .tt = rubs ? p.rho : 0.0};
   const double mu = p.form.units()[i].mu;
   const double e = face == Face::edge_forward ? -mu : mu;
   const double share = p.rho / (1.0 + e * e);
@@ -179,6 +185,26 @@ double largest(const std::vector<Quad>& v) {
   return most;
 }
 
+/// Rounds until forces balance; the share by which they do not.
+double balance(ForceProblem& p, Goal& goal, Iterate& at, Direction& step) {
+  std::vector<Quad> missed(p.s.size());
+  double misfit = unbounded;
+  const double size = largest(p.s);
+  for (int round = 0; round < most_rounds && misfit > exact_balance; ++round) {
+    if (!minimise(p, goal, at, step)) break;
+    p.form.apply_transposed(at.l.data(), missed.data());
+    for (std::size_t b = 0; b < missed.size(); ++b) {
+      for (int c = 0; c < 3; ++c)
+        missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
+    }
+    add(1.0, missed, goal.shift);
+    const double now = size > 0.0 ? largest(missed) / size : largest(missed);
+    if (now >= misfit && misfit < good_balance) break;
+    misfit = now;
+  }
+  return misfit;
+}
+
 }  // namespace
 
 ForceProblem problem_of(const FrictionProgram& friction,
@@ -201,8 +227,15 @@ ForceProblem problem_of(const FrictionProgram& friction,
     square = std::max(square, unit.square.n);
   }
   p.rho = stiffness / square;
-  p.s.resize(p.form.blocks());
-  p.form.apply_transposed(l.data(), p.s.data());
+  if (std::ranges::all_of(x, [](double v) { return v == 0.0; })) {
+    std::vector<double> held(x.size());
+    for (int j = 0; j < program.unknowns(); ++j)
+      held[j] = -friction.program.target[j] * friction.program.mass[j] / program.mass[j];
+    p.form.write(program, held, p.s);
+  } else {
+    p.s.resize(p.form.blocks());
+    p.form.apply_transposed(l.data(), p.s.data());
+  }
   return p;
 }
 
@@ -211,21 +244,12 @@ NearestForces nearest(ForceProblem& p, const std::vector<Pair>& wish) {
   Iterate at{std::vector<Quad>(p.s.size()), std::vector<Pair>(wish.size()),
              std::vector<Pair>(wish.size()), std::vector<Face>(wish.size())};
   Direction step{at.z, at.Gz};
-  std::vector<Quad> missed(p.s.size());
-  double misfit = unbounded;
-  const double size = largest(p.s);
-  for (int round = 0; round < most_rounds && misfit > exact_balance; ++round) {
-    if (!minimise(p, goal, at, step)) break;
-    p.form.apply_transposed(at.l.data(), missed.data());
-    for (std::size_t b = 0; b < missed.size(); ++b) {
-      for (int c = 0; c < 3; ++c)
-        missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
-    }
-    add(1.0, missed, goal.shift);
-    const double now = size > 0.0 ? largest(missed) / size : largest(missed);
-    if (now >= misfit && misfit < good_balance) break;
-    misfit = now;
-  }
+  const std::vector<Cone> cones = p.cone;
+  for (int i = 0; i < p.form.count(); ++i)
+    if (cones[i] == Cone::cone && p.form.units()[i].mu < thin_cone) p.cone[i] = Cone::wide;
+  if (p.cone != cones) balance(p, goal, at, step);
+  p.cone = cones;
+  const double misfit = balance(p, goal, at, step);
   return {std::move(at.l), misfit};
 }
 

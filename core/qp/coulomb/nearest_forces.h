@@ -7,7 +7,8 @@
 
 namespace wuerfel {
 
-enum class Cone : signed char { nothing, free, half_line, edge, cone };
+/// `wide`: one without edges.
+enum class Cone : signed char { nothing, free, half_line, edge, cone, wide };
 
 /// The forces that are sought: in cones, and with G' l = s.
 struct ForceProblem {
@@ -18,7 +19,7 @@ struct ForceProblem {
   double rho = 0.0;
 };
 
-/// That of a solution (x, multipliers) of residual about 1e-10.
+/// That of a solution (x, multipliers) of residual about 1e-10. Forces are to balance as its own do, and those of rest (x = 0) exactly.
 ForceProblem problem_of(const FrictionProgram& friction,
                         const std::vector<double>& x,
                         const std::vector<double>& multiplier);
