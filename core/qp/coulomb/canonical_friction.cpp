@@ -17,6 +17,7 @@ constexpr double same_row = 1e-9;
 constexpr std::array wish_sizes{1.0, 1000.0};
 constexpr double far_along =
     1e3;  ///< times the friction that wishes of this size allow: tangential ones reach no farther
+constexpr double certain_times = 1e3;  ///< what a wish misses, that counts as moved
 constexpr int most_pushes = 8;
 
 /// Whether tangential forces of two units act alike: both are of the same flush sides.
@@ -144,10 +145,11 @@ class UniqueForces {
     const NearestForces other = nearest(*p_, wish);
     if (other.misfit > good_balance) return false;
     searched_ = true;
+    const double moved = std::max(least(), certain_times * other.misfit * force_);
     const std::vector<Pair> l = with_sums(other.l, first_);
     for (std::size_t i = 0; i < l.size(); ++i) {
       const Pair& c = canonical_[i];
-      if (std::max(std::abs(l[i].n - c.n), std::abs(l[i].t - c.t)) > least()) unique_[i] = false;
+      if (std::max(std::abs(l[i].n - c.n), std::abs(l[i].t - c.t)) > moved) unique_[i] = false;
       middle_[i] = {0.5 * (middle_[i].n + other.l[i].n), 0.5 * (middle_[i].t + other.l[i].t)};
     }
     return true;

@@ -12,6 +12,9 @@ constexpr double stiffness = 1e6;  ///< in units of 1 / |g|^2
 constexpr int most_newton_steps = 60;
 constexpr int most_rounds = 100;
 constexpr double exact_balance = 1e-14;
+constexpr double held_share = 0.5;  ///< of what the round before missed
+constexpr double same_miss = 0.99;  ///< cosine
+constexpr double faster = 3.0;
 /// Coefficients of friction of cones whose edges hold up what is still on its way.
 constexpr double thin_cone = 1e-4;
 
@@ -185,24 +188,35 @@ double largest(const std::vector<Quad>& v) {
   return most;
 }
 
-/// Rounds until forces balance; the share by which they do not.
-double balance(ForceProblem& p, Goal& goal, Iterate& at, Direction& step) {
+/// Rounds until forces balance: the best of them. What a face holds up, so that rounds miss the same again, they take up ever
+/// faster.
+NearestForces balance(ForceProblem& p, Goal& goal, Iterate& at, Direction& step) {
+  NearestForces best;
   std::vector<Quad> missed(p.s.size());
+  std::vector<Quad> former(p.s.size());
   double misfit = unbounded;
+  double times = 1.0;
   const double size = largest(p.s);
-  for (int round = 0; round < most_rounds && misfit > exact_balance; ++round) {
+  for (int round = 0; round < most_rounds && best.misfit > exact_balance; ++round) {
     if (!minimise(p, goal, at, step)) break;
     p.form.apply_transposed(at.l.data(), missed.data());
     for (std::size_t b = 0; b < missed.size(); ++b) {
       for (int c = 0; c < 3; ++c)
         missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
     }
-    add(1.0, missed, goal.shift);
     const double now = size > 0.0 ? largest(missed) / size : largest(missed);
-    if (now >= misfit && misfit < good_balance) break;
+    const bool held_up =
+        now > held_share * misfit
+        && dot(missed, former) > same_miss * std::sqrt(dot(missed, missed) * dot(former, former));
+    const bool settled = !held_up && times == 1.0 && now >= misfit;
+    if (now < best.misfit) best = {at.l, now};
+    if (settled && best.misfit < good_balance) break;
+    times = held_up ? faster * times : 1.0;
+    add(times, missed, goal.shift);
+    former = missed;
     misfit = now;
   }
-  return misfit;
+  return best;
 }
 
 }  // namespace
@@ -247,10 +261,9 @@ NearestForces nearest(ForceProblem& p, const std::vector<Pair>& wish) {
   const std::vector<Cone> cones = p.cone;
   for (int i = 0; i < p.form.count(); ++i)
     if (cones[i] == Cone::cone && p.form.units()[i].mu < thin_cone) p.cone[i] = Cone::wide;
-  if (p.cone != cones) balance(p, goal, at, step);
+  if (p.cone != cones) (void)balance(p, goal, at, step);
   p.cone = cones;
-  const double misfit = balance(p, goal, at, step);
-  return {std::move(at.l), misfit};
+  return balance(p, goal, at, step);
 }
 
 }  // namespace wuerfel
