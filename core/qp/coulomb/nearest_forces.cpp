@@ -16,7 +16,7 @@ constexpr double held_share = 0.5;  ///< of what the round before missed
 constexpr double same_miss = 0.99;  ///< cosine
 constexpr double faster = 3.0;
 /// Coefficients of friction of cones whose edges hold up what is still on its way.
-constexpr double thin_cone = 1e-4;
+constexpr double thin_cone = 1e-2;
 
 /// Where on its cone a projection falls.
 enum class Face : signed char { out, in, edge_forward, edge_back };
