@@ -6,7 +6,6 @@
 
 #include "core/dynamics/missed_programs.h"
 #include "core/dynamics/verdict.h"
-#include "core/qp/coulomb/canonical_friction.h"
 #include "core/qp/coulomb/coulomb_stages.h"
 #include "core/qp/coulomb/held_blocks.h"
 #include "core/qp/coulomb/rest_program.h"
@@ -14,12 +13,6 @@
 namespace wuerfel {
 namespace {
 
-/// Above this coefficient the rows J_n +- mu J_t of the convex program are so alike that normal parts
-/// lose their digits: what can be held with less is asked first.
-constexpr double strong_friction = 8.0;
-constexpr double maybe_rest =
-    1e-6;  ///< of the largest acceleration that is given, what may be rounding
-constexpr double exact_rest = 1e-12;
 constexpr int newton_factorisations = 8;
 constexpr int seeds_from_open = 3;
 
@@ -57,33 +50,6 @@ IslandSolution read(const ProgramBuilder& builder,
   solution.twists = builder.twists(state, island, known ? x : program.target);
   if (known) read_forces(builder, x, multiplier, solution);
   return solution;
-}
-
-/// Of a light body under a load the convex program may not see that it rests: forces that balance it exactly show it.
-bool balances(const FrictionProgram& friction, RestResult& rest) {
-  if (rest.multiplier.empty() || rest.size > maybe_rest) return false;
-  const std::vector<double> zero(friction.program.unknowns(), 0.0);
-  CanonicalForces least = canonical_friction(friction, zero, rest.multiplier, false);
-  if (coulomb_residual(friction, zero, least.multiplier).worst() > exact_rest) return false;
-  rest.multiplier = std::move(least.multiplier);
-  rest.status = QpStatus::optimal;
-  rest.size = 0.0;
-  return true;
-}
-
-/// Forces that balance with less friction balance with more, too.
-RestResult find_rest(const FrictionProgram& friction) {
-  const auto strong = [](const FrictionContact& c) { return c.mu > strong_friction; };
-  if (std::ranges::any_of(friction.contacts, strong)) {
-    FrictionProgram weaker = friction;
-    for (FrictionContact& c : weaker.contacts)
-      c.mu = std::min(c.mu, strong_friction);
-    RestResult rest = RestProgram().solve(weaker);
-    if (rest.equilibrium() || balances(friction, rest)) return rest;
-  }
-  RestResult rest = RestProgram().solve(friction);
-  if (!rest.equilibrium()) (void)balances(friction, rest);
-  return rest;
 }
 
 IslandSolution equilibrium(const ProgramBuilder& builder,
@@ -208,7 +174,7 @@ RubbingAccelerations accelerations_with_friction(const System& system,
   RubbingAccelerations found;
   found.friction.slides = slides;
   RestResult rest;
-  if (still) rest = find_rest(builder.friction_program());
+  if (still) rest = RestProgram().solve(builder.friction_program());
   found.friction.equilibrium = rest.equilibrium();
   if (rest.equilibrium()) {
     found.solution = equilibrium(builder, state, island, rest.multiplier);

@@ -20,7 +20,8 @@ struct RestResult {
   /// proves that there is none. It is not the motion that follows.
   std::vector<double> acceleration;
   std::vector<double> multiplier;  ///< m; the forces of the equilibrium
-  double size = 0.0;               ///< the largest acceleration, relative to the largest |f|
+  double size =
+      0.0;  ///< the largest acceleration, relative to the largest |f|; 0 where forces balance exactly
   [[nodiscard]] bool equilibrium() const { return status == QpStatus::optimal && size <= 1e-10; }
 };
 
@@ -31,6 +32,8 @@ class RestProgram {
   RestResult solve(const FrictionProgram& friction);
 
  private:
+  RestResult solve_convex(const FrictionProgram& friction);
+
   ConvexRelaxation convex_{1e-12};
   QuadraticProgram program_;
 };

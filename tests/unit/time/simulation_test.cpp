@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scenes.h"
+#include "tests/support/stacks.h"
 
 namespace wuerfel::test {
 namespace {
@@ -34,6 +35,24 @@ TEST(Simulation, EveryIntegratorMakesAMotion) {
     // Of first order: 9.81 t / 480 below or above the parabola.
     const double fall = 2.0 - simulation.states()[1].position.y();
     EXPECT_NEAR(fall, 0.5 * 9.81 * 0.0625, 0.006) << to_string(integrator);
+  }
+}
+
+/// A grain under a load of ten million times its weight, with too little friction to tell: it rests from the start.
+TEST(Simulation, RestIsFoundWhateverTheMasses) {
+  for (const double mu : {1e-8, 1e-3, 0.3}) {
+    Scene scene = on_floor({cube("b0", {0.5, 0.5}), sized_cube("b1", {0.5, 1.25}, {3.0, 0.5}),
+                            sized_cube("b2", {0.6, 1.75}, {3.0, 0.5}),
+                            sized_cube("b3", {0.7, 2.15}, {2.0, 0.3}), cube("b4", {0.7, 2.8})});
+    set_friction(mu, scene);
+    scene.cubes[0].mass = 1.6e-4;
+    scene.cubes[1].mass = 0.013;
+    scene.cubes[3].mass = 3.8e-4;
+    scene.cubes[4].mass = 4140.0;
+    Simulation simulation(scene, {});
+    simulation.advance_to(0.1);
+    EXPECT_TRUE(simulation.at_rest()) << mu;
+    EXPECT_EQ(simulation.cost().steps, 0) << mu;
   }
 }
 
