@@ -17,41 +17,41 @@ class MovedRest : public testing::Test {
       MotionPiece piece;
       piece.kind = MotionPiece::Kind::rest;
       piece.begin = 1.0 + x / 5.0;
-      piece.start = mechanism_.state;
+      piece.start = mechanism.state;
       piece.start[0].position.x() = x;
-      history_.pieces().push_back(piece);
+      history.pieces().push_back(piece);
     }
-    end_ = history_.pieces().back().start;
-    end_[0].position.x() = 7.0;
+    end = history.pieces().back().start;
+    end[0].position.x() = 7.0;
   }
-  double x_at(double t) { return history_.at(t, end_, events_)[0].position.x(); }
+  double x_at(double t) { return history.at(t, end, events)[0].position.x(); }
 
-  Mechanism mechanism_{on_floor({cube("a", {0.0, 0.5})})};
-  EventMotion events_{mechanism_.system, {}};
-  MotionHistory history_{mechanism_.system, {}};
-  State end_;
+  Mechanism mechanism{on_floor({cube("a", {0.0, 0.5})})};
+  EventMotion events{mechanism.system, {}};
+  MotionHistory history{mechanism.system, {}};
+  State end;
 };
 
 TEST_F(MovedRest, PiecesLastUntilTheNextOneBegins) {
   EXPECT_EQ(x_at(1.0), 0.0);
   EXPECT_EQ(x_at(1.999), 0.0);
   EXPECT_EQ(x_at(2.0), 5.0);
-  EXPECT_EQ(history_.piece_at(9.0), &history_.pieces().back());
+  EXPECT_EQ(history.piece_at(9.0), &history.pieces().back());
 }
 
 TEST_F(MovedRest, OfWhatIsNotKnownTheEndIsTold) {
-  EXPECT_EQ(history_.piece_at(0.5), nullptr);
+  EXPECT_EQ(history.piece_at(0.5), nullptr);
   EXPECT_EQ(x_at(0.5), 7.0);
-  history_.forget_before(2.5);
-  EXPECT_EQ(history_.pieces().size(), 1);
+  history.forget_before(2.5);
+  EXPECT_EQ(history.pieces().size(), 1);
   EXPECT_EQ(x_at(1.5), 7.0);
 }
 
 TEST_F(MovedRest, SweepsWhatLastsBeyondATime) {
-  const double radius = mechanism_.system.bodies[0].radius();
+  const double radius = mechanism.system.bodies[0].radius();
   const auto swept_since = [&](double t) {
-    std::vector<BoundingBox> bounds(1, {end_[0].position, end_[0].position});
-    history_.sweep(t, 3.0, end_, bounds);
+    std::vector<BoundingBox> bounds(1, {end[0].position, end[0].position});
+    history.sweep(t, 3.0, end, bounds);
     EXPECT_EQ(bounds[0].high.x(), 7.0 + radius);
     return bounds[0].low.x();
   };
