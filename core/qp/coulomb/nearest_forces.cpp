@@ -196,6 +196,7 @@ NearestForces balance(ForceProblem& p, Goal& goal, Iterate& at, Direction& step)
   std::vector<Quad> former(p.s.size());
   double misfit = unbounded;
   double times = 1.0;
+  double most_times = unbounded;  // less where rounds have gone from one side to the other
   const double size = largest(p.s);
   for (int round = 0; round < most_rounds && best.misfit > exact_balance; ++round) {
     if (!minimise(p, goal, at, step)) break;
@@ -205,13 +206,14 @@ NearestForces balance(ForceProblem& p, Goal& goal, Iterate& at, Direction& step)
         missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
     }
     const double now = size > 0.0 ? largest(missed) / size : largest(missed);
-    const bool held_up =
-        now > held_share * misfit
-        && dot(missed, former) > same_miss * std::sqrt(dot(missed, missed) * dot(former, former));
+    // Not a number at first, which is neither.
+    const double along = dot(missed, former) / std::sqrt(dot(missed, missed) * dot(former, former));
+    const bool held_up = now > held_share * misfit && along > same_miss;
     const bool settled = !held_up && times == 1.0 && now >= misfit;
     if (now < best.misfit) best = {at.l, now};
     if (settled && best.misfit < good_balance) break;
-    times = held_up ? faster * times : 1.0;
+    if (!held_up && times > 1.0) most_times = along < 0.0 ? times / faster : unbounded;
+    times = held_up ? std::min(faster * times, most_times) : 1.0;
     add(times, missed, goal.shift);
     former = missed;
     misfit = now;
