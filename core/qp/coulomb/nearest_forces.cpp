@@ -188,35 +188,54 @@ double largest(const std::vector<Quad>& v) {
   return most;
 }
 
+/// s - G' l
+void find_missed(const ForceProblem& p, const Iterate& at, std::vector<Quad>& missed) {
+  p.form.apply_transposed(at.l.data(), missed.data());
+  for (std::size_t b = 0; b < missed.size(); ++b) {
+    for (int c = 0; c < 3; ++c)
+      missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
+  }
+}
+
+/// Times what a round misses that the next one takes up: ever more of what is missed again.
+class Pace {
+ public:
+  /// Takes note of a round that missed by `misfit`; `along` is the cosine to what the one before missed.
+  void follow(double misfit, double along) {
+    const bool held_up = misfit > held_share * former_ && along > same_miss;
+    settled_ = !held_up && times_ == 1.0 && misfit >= former_;
+    if (!held_up && times_ > 1.0) most_ = along < 0.0 ? times_ / faster : unbounded;
+    times_ = held_up ? std::min(faster * times_, most_) : 1.0;
+    former_ = misfit;
+  }
+  [[nodiscard]] double times() const { return times_; }
+  [[nodiscard]] bool settled() const { return settled_; }  ///< rounds gain nothing any more
+
+ private:
+  double former_ = unbounded;
+  double times_ = 1.0;
+  double most_ = unbounded;  ///< less where rounds have gone from one side to the other
+  bool settled_ = false;
+};
+
 /// Rounds until forces balance: the best of them. What a face holds up, so that rounds miss the same again, they take up ever
 /// faster.
 NearestForces balance(ForceProblem& p, Goal& goal, Iterate& at, Direction& step) {
   NearestForces best;
+  Pace pace;
   std::vector<Quad> missed(p.s.size());
   std::vector<Quad> former(p.s.size());
-  double misfit = unbounded;
-  double times = 1.0;
-  double most_times = unbounded;  // less where rounds have gone from one side to the other
   const double size = largest(p.s);
   for (int round = 0; round < most_rounds && best.misfit > exact_balance; ++round) {
     if (!minimise(p, goal, at, step)) break;
-    p.form.apply_transposed(at.l.data(), missed.data());
-    for (std::size_t b = 0; b < missed.size(); ++b) {
-      for (int c = 0; c < 3; ++c)
-        missed[b].v[c] = p.s[b].v[c] - missed[b].v[c];
-    }
+    find_missed(p, at, missed);
     const double now = size > 0.0 ? largest(missed) / size : largest(missed);
-    // Not a number at first, which is neither.
-    const double along = dot(missed, former) / std::sqrt(dot(missed, missed) * dot(former, former));
-    const bool held_up = now > held_share * misfit && along > same_miss;
-    const bool settled = !held_up && times == 1.0 && now >= misfit;
     if (now < best.misfit) best = {at.l, now};
-    if (settled && best.misfit < good_balance) break;
-    if (!held_up && times > 1.0) most_times = along < 0.0 ? times / faster : unbounded;
-    times = held_up ? std::min(faster * times, most_times) : 1.0;
-    add(times, missed, goal.shift);
+    // Not a number at first.
+    pace.follow(now, dot(missed, former) / std::sqrt(dot(missed, missed) * dot(former, former)));
+    if (pace.settled() && best.misfit < good_balance) break;
+    add(pace.times(), missed, goal.shift);
     former = missed;
-    misfit = now;
   }
   return best;
 }
