@@ -15,8 +15,7 @@ constexpr double same_force = 1e-7;  ///< of the largest
 constexpr double same_row = 1e-9;
 /// Of the largest force: wishes of other ones, each with its opposite.
 constexpr std::array wish_sizes{1.0, 1000.0};
-constexpr double far_along =
-    1e3;  ///< times the friction that wishes of this size allow: tangential ones reach no farther
+constexpr double far_along = 1e3;      ///< times mu: the share of tangential wishes, at most 1
 constexpr double certain_times = 1e3;  ///< what a wish misses, that counts as moved
 constexpr int most_pushes = 8;
 

@@ -28,13 +28,15 @@ bool balances(const FrictionProgram& friction, RestResult& rest) {
 
 }  // namespace
 
-/// Forces that balance with less friction balance with more, too.
+/// Forces that balance with less friction balance with more, too, but where it is known to be used up.
 RestResult RestProgram::solve(const FrictionProgram& friction) {
-  const auto is_strong = [](const FrictionContact& c) { return c.mu > strong_friction; };
+  const auto is_strong = [](const FrictionContact& c) {
+    return c.slides == 0 && c.mu > strong_friction;
+  };
   if (std::ranges::any_of(friction.contacts, is_strong)) {
     std::vector<FrictionContact> weaker(friction.contacts.begin(), friction.contacts.end());
     for (FrictionContact& c : weaker)
-      c.mu = std::min(c.mu, strong_friction);
+      if (is_strong(c)) c.mu = strong_friction;
     RestResult rest = solve_convex({friction.program, weaker});
     if (rest.equilibrium()) return rest;
   }

@@ -21,7 +21,7 @@ struct RestResult {
   std::vector<double> acceleration;
   std::vector<double> multiplier;  ///< m; the forces of the equilibrium
   double size =
-      0.0;  ///< the largest acceleration, relative to the largest |f|; 0 where forces balance exactly
+      0.0;  ///< the largest acceleration, as a share of the largest |f|; 0: forces balance
   [[nodiscard]] bool equilibrium() const { return status == QpStatus::optimal && size <= 1e-10; }
 };
 

@@ -120,6 +120,21 @@ TEST(RestProgram, TheCertificateHasNoForceAgainstIt) {
     EXPECT_GE(rate(contact.normal), contact.mu * std::abs(rate(contact.tangent)) - 1e-11);
 }
 
+/// What slips has all its friction: 20 times its weight holds no push of 8, which less could.
+TEST(RestProgram, WhatSlipsPullsWithAllItsFriction) {
+  for (const double push : {8.0, 20.0}) {
+    FrictionCase c;
+    c.program.clear(3);
+    c.program.add_block(std::array{1.0, 1.0, 1.0}, std::array{push, -1.0, 0.0});
+    const int normal = c.program.add_inequality(0.0);
+    c.program.add_entry(0, std::array{0.0, 1.0, 0.0});
+    const int tangent = c.program.add_equality(0.0);
+    c.program.add_entry(0, std::array{1.0, 0.0, 0.0});
+    c.contacts = {{.normal = normal, .tangent = tangent, .mu = 20.0, .slides = 1}};
+    EXPECT_EQ(RestProgram().solve(c.view()).equilibrium(), push == 20.0) << push;
+  }
+}
+
 TEST(RestProgram, ShaftHoldsByItsSelfStress) {
   const RestResult r = RestProgram().solve(shaft(0.5).view());
   EXPECT_TRUE(r.equilibrium());
