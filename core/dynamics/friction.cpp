@@ -33,6 +33,10 @@ bool bounces(const System& system, const Island& island) {
          });
 }
 
+bool is_placed_once(const Island& island) {
+  return island.rods.empty() && island.cubes.size() > few_displaced_cubes;
+}
+
 FrictionDynamics::FrictionDynamics(const System& system, const MotionSettings& settings)
     : system_(&system), settings_(settings), builder_(system, settings.formulation) {}
 
@@ -192,7 +196,7 @@ IslandSolution FrictionDynamics::placement(const State& state,
   builder_.add_friction(state, island, use, Order::position);
   FrictionProgram friction = builder_.friction_program();
   friction.force_unit = step_ * step_;
-  friction.refines = again && island.rods.empty() && island.cubes.size() > few_displaced_cubes;
+  friction.refines = again && is_placed_once(island);
   CoulombResult result;
   solver_of(island, motions_).solve(friction, result, keys_of(island));
   return read(state, island, result);

@@ -14,6 +14,8 @@ namespace wuerfel {
 /// Whether contacts of the island rub, or bounce.
 bool rubs(const System& system, const Island& island);
 bool bounces(const System& system, const Island& island);
+/// Whether the second placement of a step, which makes its order two, is left out where it is dear: many cubes without rods.
+bool is_placed_once(const Island& island);
 
 /// Builds and solves them. Remembers, island by island, which contacts stuck and slipped; an island
 /// is known by its first cube.
