@@ -56,12 +56,7 @@ ExitCode plan(const PlanOptions& asked) {
   return ExitCode::fine;
 }
 
-long parse_cases(const std::string& text) {
-  const double value = parse_positive("--cases", text);
-  if (value != static_cast<double>(static_cast<long>(value)) || value > 1e8)
-    throw UsageError(fmt::format("--cases: '{}' is no whole number of 1 to 100000000", text));
-  return static_cast<long>(value);
-}
+long parse_cases(const std::string& text) { return parse_whole("--cases", text, 1, 100'000'000); }
 
 Action declare_plan(Options& options) {
   auto asked = std::make_shared<PlanOptions>();

@@ -72,6 +72,7 @@ class Endless(ProgramTest):
         self.assertFalse(os.path.exists(self.path("s.csv")))
         self.expect(0, "run", "pile", "--until", "0.1", "--max-memory", "4G")
         self.assertIn("'4GB'", self.expect(2, "run", "pile", "--max-memory", "4GB").stderr)
+        self.assertIn("did you mean 500M?", self.expect(2, "run", "pile", "--max-memory", "500").stderr)
 
 
 class Frames(ProgramTest):
