@@ -82,8 +82,9 @@ void add_memory_option(Options& options) {
                  [](const Text& text) { limit_memory(parse_bytes("--max-memory", text)); });
 }
 
-void add_threads_option(Options& options, int& threads) {
-  options.single("--threads", "N", "scenes that are worked on at once [one per core]",
+void add_threads_option(Options& options, int& threads, const char* what) {
+  options.single("--threads", "N",
+                 fmt::format("{} that are worked on at once [one per core]", what),
                  [&threads](const Text& text) { threads = parse_threads("--threads", text); });
 }
 
