@@ -36,19 +36,33 @@ double parse_positive(std::string_view option, std::string_view text) {
   return value;
 }
 
+long parse_whole(std::string_view option, std::string_view text, long least, long most) {
+  // 1e3 and 1000.0 are whole numbers, too.
+  double value = 0.0;
+  const bool fits = read_whole(text, value) && value >= static_cast<double>(least)
+                    && value <= static_cast<double>(most) && value == std::floor(value);
+  if (!fits) {
+    throw UsageError(
+        fmt::format("{}: '{}' is no whole number of {} to {}", option, text, least, most));
+  }
+  return static_cast<long>(value);
+}
+
 double parse_bytes(std::string_view option, std::string_view text) {
   constexpr std::string_view units = "kMGT";
-  std::string_view number = text;
-  double unit = 1.0;
-  if (const std::size_t power = units.find(text.empty() ? ' ' : text.back());
-      power != std::string_view::npos) {
-    unit = std::pow(1000.0, static_cast<double>(power + 1));
-    number.remove_suffix(1);
-  }
+  const std::size_t power = units.find(text.empty() ? ' ' : text.back());
+  const bool has_unit = power != std::string_view::npos;
   double value = 0.0;
-  if (!read_whole(number, value) || !std::isfinite(value) || value <= 0.0)
+  if (!read_whole(text.substr(0, text.size() - (has_unit ? 1 : 0)), value) || !std::isfinite(value)
+      || value <= 0.0)
     throw UsageError(fmt::format("{}: '{}' is no size, as 500M or 4G", option, text));
-  return unit * value;
+  if (has_unit) return std::pow(1000.0, static_cast<double>(power + 1)) * value;
+  constexpr double least_bytes = 1e6;
+  if (value < least_bytes) {
+    throw UsageError(
+        fmt::format("{0}: '{1}' are bytes, too few for any run; did you mean {1}M?", option, text));
+  }
+  return value;
 }
 
 double parse_paper_length(std::string_view option, std::string_view text) {

@@ -18,7 +18,10 @@ double parse_number(std::string_view option, std::string_view text);
 /// A number > 0.
 double parse_positive(std::string_view option, std::string_view text);
 
-/// A number of bytes > 0: "800k", "500M", "4G", "1.5T" or in bytes.
+/// A whole number from `least` to `most`.
+long parse_whole(std::string_view option, std::string_view text, long least, long most);
+
+/// A number of bytes > 0 "800k", "500M", "4G", "1.5T", or in bytes, of which there are a million at least: fewer miss their unit.
 double parse_bytes(std::string_view option, std::string_view text);
 
 /// A length on paper in mm: "84mm", "3.5in", "9cm" or "240pt".

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/pace.h"
 #include "app/cli/streams.h"
 #include "core/scene/scene_parser.h"
 #include "render/error.h"
@@ -21,6 +22,8 @@ Failure failure_of(const std::exception_ptr& thrown) {
     return {error.what(), ExitCode::bad_input};
   } catch (const OutputError& error) {  // a library that draws is missing, too
     return {error.what(), ExitCode::output};
+  } catch (const EndlessMotion& error) {
+    return {error.what(), ExitCode::undecided};
   } catch (const std::bad_alloc&) {
     return {"out of memory", ExitCode::internal};
   } catch (const std::exception& error) {

@@ -12,10 +12,7 @@ using Text = std::string;
 namespace {
 
 int parse_difference(const Text& text) {
-  const double value = parse_number("--max-difference", text);
-  if (value < 0.0 || value > 255.0 || value != std::floor(value))
-    throw UsageError(fmt::format("--max-difference: '{}' is no whole number of 0 to 255", text));
-  return static_cast<int>(value);
+  return static_cast<int>(parse_whole("--max-difference", text, 0, 255));
 }
 
 double parse_share(const Text& text) {
@@ -42,6 +39,17 @@ double parse_fps(const Text& text) {
   return value;
 }
 
+// Farther apart bodies are specks, and places overflow.
+double parse_explode(const Text& text) {
+  constexpr double most = 1000.0;
+  const double value = parse_not_negative("--explode", text);
+  if (value > most) {
+    throw UsageError(
+        fmt::format("--explode: {} is more than {}; 0.3 shows free bodies", text, most));
+  }
+  return value;
+}
+
 constexpr const char* scene_meaning =
     "scene file (TOML or JSON), - for standard input, or a shipped scene";
 
@@ -52,11 +60,7 @@ void add_overrides(Options& options, std::vector<Text>& overrides) {
 }
 
 int parse_threads(const char* option, const Text& text) {
-  constexpr double most = 1024.0;
-  const double value = parse_number(option, text);
-  if (value < 1.0 || value > most || value != std::floor(value))
-    throw UsageError(fmt::format("{}: '{}' is no whole number of 1 to {}", option, text, most));
-  return static_cast<int>(value);
+  return static_cast<int>(parse_whole(option, text, 1, 1024));
 }
 
 // Less than doubles can hold takes for ever.
@@ -78,8 +82,9 @@ void add_memory_option(Options& options) {
                  [](const Text& text) { limit_memory(parse_bytes("--max-memory", text)); });
 }
 
-void add_threads_option(Options& options, int& threads) {
-  options.single("--threads", "N", "scenes that are worked on at once [one per core]",
+void add_threads_option(Options& options, int& threads, const char* what) {
+  options.single("--threads", "N",
+                 fmt::format("{} that are worked on at once [one per core]", what),
                  [&threads](const Text& text) { threads = parse_threads("--threads", text); });
 }
 
@@ -160,11 +165,10 @@ void add_look_options(Options& options, PictureOptions& picture) {
       [&picture](const Text& text) {
         picture.color_top = parse_not_negative("--color-top", text);
       });
-  options.single(
-      "--explode", "S",
-      "free bodies: each farther from the others by this share of their distance, with "
-      "all forces on it, weights and numbers [0]",
-      [&picture](const Text& text) { picture.explode = parse_not_negative("--explode", text); });
+  options.single("--explode", "S",
+                 "free bodies: each farther from the others by this share of their distance, with "
+                 "all forces on it, weights and numbers [0]",
+                 [&picture](const Text& text) { picture.explode = parse_explode(text); });
 }
 
 void add_camera_options(Options& options, PictureOptions& picture) {
@@ -224,15 +228,11 @@ void add_strip_option(Options& options, std::optional<StripGrid>& strip) {
 }
 
 void add_ghosts_option(Options& options, int& ghosts) {
-  static constexpr double most = 100.0;
-  options.single(
-      "--ghosts", "N", "earlier poses of the cubes, evenly from the start, faintly [0]",
-      [&ghosts](const Text& text) {
-        const double count = parse_not_negative("--ghosts", text);
-        if (count != std::floor(count) || count > most)
-          throw UsageError(fmt::format("--ghosts: '{}' is no whole number of 0 to {}", text, most));
-        ghosts = static_cast<int>(count);
-      });
+  options.single("--ghosts", "N", "earlier poses of the cubes, evenly from the start, faintly [0]",
+                 [&ghosts](const Text& text) {
+                   static_cast<void>(parse_not_negative("--ghosts", text));
+                   ghosts = static_cast<int>(parse_whole("--ghosts", text, 0, 100));
+                 });
 }
 
 void add_compare_limits(Options& options, CompareLimits& limits) {

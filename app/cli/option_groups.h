@@ -43,8 +43,8 @@ void add_scenes(Options& options,
 void add_jobs_option(Options& options, int& threads);
 /// --max-memory, which holds from then on.
 void add_memory_option(Options& options);
-/// --threads.
-void add_threads_option(Options& options, int& threads);
+/// --threads, of which each works on one of `what`.
+void add_threads_option(Options& options, int& threads, const char* what = "scenes");
 /// --formulation and --solver.
 void add_solver_options(Options& options, MotionSettings& motion);
 /// The same, --integrator, --tolerance and --step.

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/argument.h"
 #include "app/cli/is_folder.h"
 #include "app/cli/shipped_scenes.h"
 #include "core/scene/scene_parser.h"
@@ -88,6 +89,11 @@ SceneText scene_text(const std::string& source) {
 }
 
 Scene parse(const SceneText& text, const std::vector<std::string>& overrides) {
+  if (has_suffix(text.name, ".jsonl") && !nlohmann::json::accept(text.text)) {
+    throw SceneError(fmt::format(
+        "{0}: is not one scene; check and run read a scene a line from standard input: - < {0}",
+        text.name));
+  }
   return parse_scene(text.text, text.name, overrides);
 }
 

@@ -16,6 +16,7 @@
 #include "app/output/table_text.h"
 #include "app/words/explanation.h"
 #include "core/model/scales.h"
+#include "core/work_in_order.h"
 
 namespace wuerfel {
 
@@ -274,7 +275,7 @@ Action declare_check(Options& options) {
   add_scenes(options, asked->scenes, asked->overrides);
   options.flag("--json", "print the answer as JSON", asked->json);
   add_statics_options(options, asked->statics);
-  add_threads_option(options, asked->threads);
+  add_threads_option(options, asked->threads, "scenes, or ranges of one,");
   add_solver_options(options, asked->motion);
   return [asked, &options](const Stopwatch&) {
     const Batch batch{.sources = asked->scenes, .json = asked->json, .threads = asked->threads};
@@ -282,7 +283,11 @@ Action declare_check(Options& options) {
       const Scene scene = parse(text, asked->overrides);
       note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);
-      const StaticsAnswer statics(scene, asked->motion, asked->statics, answer.verdict, notes);
+      StaticsRequest statics_request = asked->statics;
+      // Several scenes share the threads.
+      if (!form.one_line) statics_request.threads = thread_count(asked->threads);
+      statics_request.style = Progress::style_for_stderr(form.one_line);
+      const StaticsAnswer statics(scene, asked->motion, statics_request, answer.verdict, notes);
       return Answer{exit_code(answer.verdict),
                     answer_text(text.name, scene, asked->motion, answer, statics, form)};
     });

@@ -104,15 +104,18 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   if (vector_format(lower_case(asked.output)))
     note_idle(options, {"--encoder", "--rasteriser"}, "for .svg and .pdf", notes);
   const Scene scene = read_scene(asked.scene);
-  note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
+  const bool all_told =
+      !note_what_is_left_out(options, scene, asked.still.motion.integrator, notes);
   note_letters(scene, asked.still.picture.layers, notes);
   note_crowd(scene, asked.still.picture.layers, notes);
   note_idle_colors(options, color_by(asked.still.picture, scene.cubes.size()), notes);
   StillOptions still_options = asked.still;
   still_options.times = times_of(asked, scene);
   if (asked.still.picture.fit == Fit::instant && still_options.times == std::vector{0.0}) {
-    note_idle(options, {"--integrator", "--tolerance", "--step"},
-              "for the start of a scene with --fit instant", notes);
+    const std::string where = "for the start of a scene with --fit instant";
+    // One without friction shows other forces at the start as well.
+    if (all_told) note_idle(options, {"--integrator"}, where, notes);
+    note_idle(options, {"--tolerance", "--step"}, where, notes);
   }
   still_options.picture.layers = drawn_layers(asked.still.picture, options.given("--layers"));
   if (asked.until) still_options.end = asked.until;

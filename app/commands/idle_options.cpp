@@ -54,7 +54,7 @@ void note_idle_solver(const Options& options, const Scene& scene, Notes& notes) 
   }
 }
 
-void note_what_is_left_out(const Options& options,
+bool note_what_is_left_out(const Options& options,
                            const Scene& scene,
                            Integrator integrator,
                            Notes& notes) {
@@ -62,14 +62,15 @@ void note_what_is_left_out(const Options& options,
     case Integrator::automatic:
     case Integrator::event:
     case Integrator::rattle:
-      return note_idle_solver(options, scene, notes);
+      note_idle_solver(options, scene, notes);
+      return false;
     case Integrator::moreau:
     case Integrator::euler:
     case Integrator::symplectic:
       break;
   }
   const System system = make_system(scene);
-  if (!system.rubs && !system.bounces) return;
+  if (!system.rubs && !system.bounces) return false;
   notes.add(
       fmt::format("the scene asks for {}, which --integrator {} does not compute: contacts are "
                   "frictionless and impacts inelastic",
@@ -77,6 +78,7 @@ void note_what_is_left_out(const Options& options,
                   : system.rubs                 ? "friction"
                                                 : "restitution",
                   to_string(integrator)));
+  return true;
 }
 
 void note_crowd(const Scene& scene, Layers layers, Notes& notes) {

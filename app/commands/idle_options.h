@@ -24,8 +24,8 @@ void require_effect(const MotionSettings& motion,
                     const std::function<bool(const char*)>& given);
 void require_effect(const Options& options, const MotionSettings& motion);
 
-/// Friction and restitution that a scene asks for and the integrator does not compute.
-void note_what_is_left_out(const Options& options,
+/// Friction and restitution that a scene asks for and the integrator does not compute; whether there are any.
+bool note_what_is_left_out(const Options& options,
                            const Scene& scene,
                            Integrator integrator,
                            Notes& notes);

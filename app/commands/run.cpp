@@ -8,6 +8,7 @@
 #include "app/cli/argument.h"
 #include "app/cli/memory_limit.h"
 #include "app/cli/option_groups.h"
+#include "app/cli/pace.h"
 #include "app/cli/progress.h"
 #include "app/commands/batch.h"
 #include "app/commands/commands.h"
@@ -127,6 +128,16 @@ void say_work(const Job& job, AnswerForm form) {
   if (!work.empty() && !job.asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
 }
 
+/// What is looked at between the steps; all of it outlives the simulation's next advance.
+void watch_steps(
+    Simulation& simulation, const StopSignal& stop, Pace& pace, double end, Progress& progress) {
+  simulation.set_pulse([&simulation, &stop, &pace, end, &progress] {
+    stop.check();
+    pace.beat(simulation.reached());
+    progress.reached(std::min(end, simulation.reached()));
+  });
+}
+
 void note_labels(const RunBooks& books, Notes& notes) {
   const int left_out = books.labels_left_out();
   if (left_out > 0)
@@ -160,10 +171,8 @@ Answer run(Job job, AnswerForm form, Notes& notes) {
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
   Progress progress(style, "simulating", plan.end, "s");
-  simulation.set_pulse([&] {
-    stop.check();
-    progress.reached(std::min(job.plan.end, simulation.reached()));
-  });
+  Pace pace(plan.end, scene.cubes.size() + scene.points.size(), asked.motion.integrator);
+  watch_steps(simulation, stop, pace, plan.end, progress);
   AccuracyWatch accuracy(resumed.first_violation);
   const std::size_t first = repeat(job, resumed.moments, simulation, books);
   CheckpointKeeper keeper(asked, origin, std::move(resumed));
@@ -177,6 +186,9 @@ Answer run(Job job, AnswerForm form, Notes& notes) {
     keeper.write(accuracy);
     throw;
   } catch (const MemoryExceeded&) {
+    keeper.write(accuracy);
+    throw;
+  } catch (const EndlessMotion&) {
     keeper.write(accuracy);
     throw;
   }

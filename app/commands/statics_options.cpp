@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -117,7 +118,14 @@ StaticsAnswer::StaticsAnswer(const Scene& scene,
     }
     margins_ = find_margins(*still_, settings, request_);
   }
-  if (request.ranges) ranges_ = find_ranges(*still_, {cubes});
+  if (!request.ranges) return;
+  double contacts = 0.0;
+  for (const IslandForces& of : still_->found.islands)
+    contacts += static_cast<double>(of.island.contacts.size());
+  Progress progress(request.style, "ranges of forces", contacts, "contacts");
+  ranges_ = find_ranges(*still_, {cubes, true, request.threads, [&](double share) {
+                                    progress.reached(std::floor(share * contacts));
+                                  }});
 }
 
 void StaticsAnswer::add_to(nlohmann::ordered_json& json) const {

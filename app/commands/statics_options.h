@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
 #include "app/cli/streams.h"
 #include "core/statics/margins.h"
 #include "core/statics/ranges.h"
@@ -17,7 +18,9 @@ namespace wuerfel {
 struct StaticsRequest {
   std::optional<MarginRequest> margin;
   bool ranges = false;
-  std::vector<std::string> bodies;  ///< names; empty: all
+  std::vector<std::string> bodies{};  ///< names; empty: all
+  int threads = 1;                    ///< that look for ranges
+  Progress::Style style = Progress::Style::silent;
 
   [[nodiscard]] bool any() const { return margin || ranges; }
 };

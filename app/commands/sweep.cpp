@@ -56,19 +56,16 @@ ExitCode plan(const PlanOptions& asked) {
   return ExitCode::fine;
 }
 
-long parse_cases(const std::string& text) {
-  const double value = parse_positive("--cases", text);
-  if (value != static_cast<double>(static_cast<long>(value)) || value > 1e8)
-    throw UsageError(fmt::format("--cases: '{}' is no whole number of 1 to 100000000", text));
-  return static_cast<long>(value);
-}
+constexpr long most_cases = 100'000'000;
 
 Action declare_plan(Options& options) {
   auto asked = std::make_shared<PlanOptions>();
   options.argument("SWEEP", "sweep file (TOML or JSON), - for standard input", asked->sweep);
   options.text("-o,--output", "PLAN", "folder of the plan; must not be there yet", asked->folder);
   options.single("--cases", "N", "this many cases, whatever the file says",
-                 [asked](const std::string& text) { asked->cases = parse_cases(text); });
+                 [asked](const std::string& text) {
+                   asked->cases = parse_whole("--cases", text, 1, most_cases);
+                 });
   add_jobs_option(options, asked->threads);
   options.flag("--dry-run", "draw the cases and say how many there are, write nothing",
                asked->dry_run);
@@ -168,7 +165,7 @@ Action declare_verify(Options& options) {
   options.text("--id", "ID", "this sample alone", asked->choice.id);
   options.single("--sample", "N", "so many samples, evenly spread; 0: all [100]",
                  [asked](const std::string& text) {
-                   asked->choice.sample = text == "0" ? 0 : parse_cases(text);
+                   asked->choice.sample = parse_whole("--sample", text, 0, most_cases);
                  });
   add_jobs_option(options, asked->choice.threads);
   options.flag("--json", "print the result as JSON", asked->json);

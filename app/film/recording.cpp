@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/cli/pace.h"
 #include "render/picture/frame_options.h"
 #include "render/picture/impacts.h"
 
@@ -21,9 +22,12 @@ std::size_t bytes_of(const std::vector<T>& list) {
 
 AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&)>& show) const {
   Simulation simulation(scene, motion);
-  Progress progress(style, "simulating", instants.empty() ? 0.0 : instants.back().t, "s");
+  const double end = instants.empty() ? 0.0 : instants.back().t;
+  Progress progress(style, "simulating", end, "s");
+  Pace pace(end, scene.cubes.size() + scene.points.size(), motion.integrator);
   simulation.set_pulse([&] {
     stop.check();
+    pace.beat(simulation.reached());
     progress.reached(simulation.reached());
   });
   FrameTaker taker(request, passing, back);

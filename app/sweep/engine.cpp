@@ -89,6 +89,7 @@ double parse_time_span(const std::string& option, const std::string& text) {
   const auto refuse = [&]() -> double {
     throw UsageError(fmt::format("{}: '{}' is no time, as 3h50m, 90m or 5400", option, text));
   };
+  if (text.find_first_not_of("0123456789.hms") != std::string::npos) return refuse();
   double sum = 0.0;
   std::string number;
   std::string_view units = "hms";

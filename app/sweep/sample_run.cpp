@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/pace.h"
 #include "app/cli/streams.h"
 #include "app/film/timetable.h"
 #include "app/output/accuracy.h"
@@ -74,7 +75,12 @@ void SampleRun::go() {
   const std::map<double, Look> all = looks();
   if (all.empty() && !sweep_.files.pictures()) return;
   Simulation simulation(scene_, {});
-  simulation.set_pulse([this] { stop_.check(); });
+  Pace pace(all.empty() ? 0.0 : all.rbegin()->first, scene_.cubes.size() + scene_.points.size(),
+            Integrator::automatic);
+  simulation.set_pulse([&] {
+    stop_.check();
+    pace.beat(simulation.reached());
+  });
   if (sweep_.files.pictures()) draw_first(simulation);
   for (const auto& [t, who] : all) {
     simulation.advance_to(t);

@@ -193,8 +193,10 @@ class SweepReader {
       all += quota.cases;
     if (is_grid()) all = grid_size();
     if (all > 0) {
-      if (entries_.cases.value_or(all) != all)
-        fail("cases", fmt::format("is {} by {}", all, is_grid() ? "the grid" : "[balance]"));
+      if (const auto given = entries_.cases.value_or(all); given != all) {
+        fail("cases", fmt::format("is {}, but {} makes {}; leave cases out", given,
+                                  is_grid() ? "the grid" : "[balance]", all));
+      }
       return all;
     }
     if (!entries_.cases) fail("", "needs cases");

@@ -28,6 +28,11 @@ const std::array<BodyPart, 8> parts = {{{"sw", {-1.0, -1.0}},
                                         {"n", {0.0, 1.0}},
                                         {"w", {-1.0, 0.0}}}};
 
+/// Corners and sides that a place may name.
+bool has_parts(const BodyRef& body) {
+  return body.kind == BodyKind::cube || body.kind == BodyKind::fixed;
+}
+
 Vec2 placed(const Vec2& position, double angle, const Vec2& at) {
   const Vec2 axis = make_box(position, angle, Vec2::Zero()).axis;
   return position + at.x() * axis + at.y() * perp(axis);
@@ -81,17 +86,27 @@ FoundPlace PlaceFinder::find(const PlaceEntry& entry,
   return end;
 }
 
-/// Takes the part off a name where there is no body of the whole name.
+/// Takes the part off a name where there is no body of the whole name. What may be meant either way is refused.
 const BodyPart* PlaceFinder::split_part(std::string& name,
                                         const Origin& origin,
                                         std::string_view key) const {
   const std::size_t dot = name.rfind('.');
-  if (names_.contains(name) || dot == std::string::npos) return nullptr;
+  if (dot == std::string::npos) return nullptr;
   const std::string body = name.substr(0, dot);
-  if (!names_.contains(body)) return nullptr;
+  const auto owner = names_.find(body);
   const std::string wanted = name.substr(dot + 1);
-  name = body;
   const auto found = std::ranges::find(parts, wanted, &BodyPart::name);
+  if (names_.contains(name)) {
+    if (owner == names_.end() || found == parts.end() || !has_parts(owner->second)) return nullptr;
+    const Vec2 at = found->at.cwiseProduct(half_size(owner->second));
+    fail_at(origin, key,
+            fmt::format("\"{0}\" is a body of that name and a part of \"{1}\" as well; write {{ "
+                        "body = \"{0}\", at = [0, 0] }} "
+                        "or {{ body = \"{1}\", at = [{2}, {3}] }}",
+                        name, body, at.x(), at.y()));
+  }
+  if (owner == names_.end()) return nullptr;
+  name = body;
   if (found != parts.end()) return &*found;
   std::vector<std::string_view> known;
   known.reserve(std::size(parts));

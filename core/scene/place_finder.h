@@ -25,7 +25,8 @@ class PlaceFinder {
   PlaceFinder(const Scene& scene, const BodyNames& names, const SceneSource& source)
       : scene_(scene), names_(names), source_(source) {}
 
-  /// Throws SceneError at `key` of `origin` where an entry names no body or no part of one.
+  /// Throws SceneError at `key` of `origin` where an entry names no body or no part of one, or both a body
+  /// ("a.n") and a part of another.
   [[nodiscard]] FoundPlace find(const PlaceEntry& entry,
                                 const Origin& origin,
                                 std::string_view key) const;
@@ -35,7 +36,7 @@ class PlaceFinder {
                             std::string_view key,
                             const std::string& message) const;
   [[nodiscard]] Vec2 half_size(const BodyRef& body) const;
-  /// Takes the part off a name where there is no body of the whole name.
+  /// Takes the part off a name where there is no body of the whole name. What may be meant either way is refused.
   const BodyPart* split_part(std::string& name, const Origin& origin, std::string_view key) const;
 
   const Scene& scene_;

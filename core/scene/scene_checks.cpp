@@ -1,5 +1,9 @@
 #include "core/scene/scene_checks.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "core/scene/scene_parser.h"
@@ -39,6 +43,45 @@ bool is_within(const Limits& limits, double value) {
   return value >= limits.min && value <= limits.max;
 }
 
+/// Of masses farther apart the weight of the lighter one is lost in the rounding of the heavier one.
+constexpr double most_mass_ratio = 1e16;
+/// A body farther out than so many of its sides has its corners and its centre in one place.
+constexpr double most_distance_ratio = 1e15;
+
+struct Weighed {
+  BodyRef body;
+  double mass = 0.0;
+};
+
+/// The lightest and the heaviest of what moves.
+std::pair<Weighed, Weighed> extremes(const Scene& scene) {
+  std::vector<Weighed> all;
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i)
+    all.push_back({{BodyKind::cube, static_cast<int>(i)}, scene.cubes[i].mass});
+  for (std::size_t i = 0; i < scene.points.size(); ++i)
+    all.push_back({{BodyKind::point, static_cast<int>(i)}, scene.points[i].mass});
+  return {*std::ranges::min_element(all, {}, &Weighed::mass),
+          *std::ranges::max_element(all, {}, &Weighed::mass)};
+}
+
+void check_masses(const Scene& scene, const Groups& groups, const SceneSource& source) {
+  const auto [light, heavy] = extremes(scene);
+  if (heavy.mass <= most_mass_ratio * light.mass) return;
+  const Origin& first = *groups.of(light.body).origin;
+  const Origin& second = *groups.of(heavy.body).origin;
+  const bool light_is_later = written_before(second.table->place, first.table->place);
+  const Origin& later = light_is_later ? first : second;
+  source.fail(
+      place_of(later, "mass"), later.path,
+      fmt::format(
+          "\"{}\" has {:g} kg and \"{}\" {:g} kg, out of range of each other: more than {:.0g} to "
+          "one "
+          "cannot be "
+          "computed with 16 digits; bring them closer, or make a [[fixed]] box of the heavy one",
+          body_name(scene, light.body), light.mass, body_name(scene, heavy.body), heavy.mass,
+          most_mass_ratio));
+}
+
 }  // namespace
 
 void check_counts(const SceneEntries& entries, const SceneSource& source) {
@@ -73,6 +116,16 @@ void check_ranges(const Scene& scene, const Groups& groups, const SceneSource& s
         fmt::format("\"{}\" would have position [{}, {}], angle {} and mass {}, out of range",
                     body_name(scene, body), position.x(), position.y(), angle, mass));
   };
+  const auto check_place = [&](const BodyRef& body, const Vec2& position, const Vec2& size) {
+    const double far = position.cwiseAbs().maxCoeff();
+    if (far <= most_distance_ratio * size.minCoeff()) return;
+    const Origin& origin = *groups.of(body).origin;
+    source.fail(origin.table->place, origin.path,
+                fmt::format("\"{}\", {} m wide, would have position [{}, {}], out of range: so far "
+                            "out its corners are where "
+                            "its centre is; place it nearer to the origin or make it larger",
+                            body_name(scene, body), size.minCoeff(), position.x(), position.y()));
+  };
   for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
     check({BodyKind::fixed, static_cast<int>(i)}, scene.fixed[i].position, scene.fixed[i].angle,
           1.0);
@@ -81,6 +134,15 @@ void check_ranges(const Scene& scene, const Groups& groups, const SceneSource& s
     const SceneCube& cube = scene.cubes[i];
     check({BodyKind::cube, static_cast<int>(i)}, cube.position, cube.angle, cube.mass);
   }
+  for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
+    check_place({BodyKind::fixed, static_cast<int>(i)}, scene.fixed[i].position,
+                scene.fixed[i].size);
+  }
+  for (std::size_t i = 0; i < scene.cubes.size(); ++i) {
+    check_place({BodyKind::cube, static_cast<int>(i)}, scene.cubes[i].position,
+                scene.cubes[i].size);
+  }
+  check_masses(scene, groups, source);
 }
 
 void check_overlap(const Scene& scene, const Groups& groups, const SceneSource& source) {

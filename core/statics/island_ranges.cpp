@@ -100,7 +100,7 @@ QuadraticProgram IslandRanges::with_block(const std::vector<std::array<double, 3
 }
 
 /// Of a weighted sum of the forces: the measuring block has to be held by as much.
-LoadRange IslandRanges::sum(const std::vector<double>& of_rows) {
+LoadRange IslandRanges::sum(const std::vector<double>& of_rows) const {
   std::vector<std::array<double, 3>> entries(of_rows.size());
   for (std::size_t row = 0; row < of_rows.size(); ++row)
     entries[row][0] = of_rows[row];
@@ -111,7 +111,7 @@ LoadRange IslandRanges::sum(const std::vector<double>& of_rows) {
   return LoadFactor(with_block(entries)).range(w, q).times(unit_);
 }
 
-LoadRange IslandRanges::force(const std::vector<int>& contacts) {
+LoadRange IslandRanges::force(const std::vector<int>& contacts) const {
   std::vector<double> of_rows(used_.size(), 0.0);
   for (std::size_t row = 0; row < used_.size(); ++row) {
     const auto& share = generators_.share[row];
@@ -124,7 +124,8 @@ LoadRange IslandRanges::force(const std::vector<int>& contacts) {
 
 /// A quotient of two sums. [Charnes, Cooper 1962]: forces and load both times tau >= 0, so that their
 /// sum is one; then the moment is the centre.
-LoadRange IslandRanges::center(const std::vector<int>& contacts, const std::vector<double>& place) {
+LoadRange IslandRanges::center(const std::vector<int>& contacts,
+                               const std::vector<double>& place) const {
   double length = 0.0;
   for (const double x : place)
     length = std::max(length, std::abs(x));
@@ -151,8 +152,8 @@ LoadRange IslandRanges::center(const std::vector<int>& contacts, const std::vect
           range.error * length};
 }
 
-/// Whether any of the possible forces has a part along a row.
-bool IslandRanges::may_carry(int row) {
+bool IslandRanges::may_carry(int row) const {
+  if (used_[row] == 0) return false;
   const ForceShare& share = generators_.share[row];
   if (share.contact < 0) return true;
   const double N = of_.forces.force[share.contact];
@@ -169,13 +170,12 @@ bool IslandRanges::may_carry(int row) {
   return sum(of_rows).high > pressing_share * std::max(largest, unit_);
 }
 
-int IslandRanges::degree(const std::vector<std::vector<int>>& faces) {
-  std::vector<char> carries(used_.size(), 0);
+int IslandRanges::degree(const std::vector<char>& carries,
+                         const std::vector<std::vector<int>>& faces) const {
   std::vector<int> edges(of_.island.contacts.size(), 0);  // that carry
-  for (int row = 0; row < generators_.program.rows(); ++row) {
-    if (used_[row] == 0 || !may_carry(row)) continue;
-    carries[row] = 1;
-    if (const int contact = generators_.share[row].contact; contact >= 0) ++edges[contact];
+  for (int row = 0; row < rows(); ++row) {
+    const int contact = generators_.share[row].contact;
+    if (carries[row] != 0 && contact >= 0) ++edges[contact];
   }
   if (std::ranges::count(carries, 1) == 0) return 0;
   EqualitySolver solver;

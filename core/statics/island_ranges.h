@@ -15,20 +15,27 @@ class IslandRanges {
  public:
   IslandRanges(const StillScene& still, const IslandForces& of);
 
+  // All of them may be asked by several threads at once.
+
   /// Of the sum of normal forces at these contacts, N.
-  LoadRange force(const std::vector<int>& contacts);
+  [[nodiscard]] LoadRange force(const std::vector<int>& contacts) const;
   /// Of the centre of pressure of these contacts, at `place` (m) each.
-  LoadRange center(const std::vector<int>& contacts, const std::vector<double>& place);
-  /// Of hyperstaticity; flush sides, of which these are the contacts, have one tangential force.
-  [[nodiscard]] int degree(const std::vector<std::vector<int>>& faces);
+  [[nodiscard]] LoadRange center(const std::vector<int>& contacts,
+                                 const std::vector<double>& place) const;
+  /// Rows of the program, and whether any of the possible forces has a part along one.
+  [[nodiscard]] int rows() const { return generators_.program.rows(); }
+  [[nodiscard]] bool may_carry(int row) const;
+  /// Of hyperstaticity, where these rows may carry; flush sides, of which these are the contacts, have one tangential force.
+  [[nodiscard]] int degree(const std::vector<char>& carries,
+                           const std::vector<std::vector<int>>& faces) const;
 
  private:
   void drop_what_departs();
-  [[nodiscard]] bool may_carry(int row);
   [[nodiscard]] double slip(const Contact& contact) const;
   void balance();
-  QuadraticProgram with_block(const std::vector<std::array<double, 3>>& of_rows) const;
-  LoadRange sum(const std::vector<double>& of_rows);
+  [[nodiscard]] QuadraticProgram with_block(
+      const std::vector<std::array<double, 3>>& of_rows) const;
+  [[nodiscard]] LoadRange sum(const std::vector<double>& of_rows) const;
 
   const StillScene& still_;
   const IslandForces& of_;

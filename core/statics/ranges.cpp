@@ -1,12 +1,14 @@
 #include "core/statics/ranges.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
 #include "core/dynamics/contact_rows.h"
 #include "core/dynamics/momentum.h"
 #include "core/statics/island_ranges.h"
+#include "core/work_in_order.h"
 
 namespace wuerfel {
 namespace {
@@ -76,55 +78,104 @@ bool is_asked(const RangeRequest& request, int on, int from) {
   return request.cubes.empty() || asked(on) || asked(from);
 }
 
+/// Programs that do not depend on one another, and how many of them are done.
+class RangeWork {
+ public:
+  RangeWork(const RangeRequest& request, std::size_t all)
+      : workforce_{request.threads, {}}, all_(static_cast<double>(all)) {
+    if (request.progress)
+      workforce_.pulse = [this, &request] { request.progress(std::min(1.0, done_ / all_)); };
+  }
+
+  /// work(i) of i = 0 .. count - 1, in order.
+  template <class Work>
+  auto each(std::size_t count, Work work) {
+    constexpr std::size_t few = 64;  // a crew would take longer than they do
+    Workforce workforce = workforce_;
+    if (count < few) workforce.threads = 1;
+    return work_on_each(workforce, static_cast<int>(count), [&](int i) {
+      auto result = work(i);
+      ++done_;
+      return result;
+    });
+  }
+
+ private:
+  Workforce workforce_;
+  double all_;
+  std::atomic<int> done_ = 0;
+};
+
 /// Forces of the face that are the only ones possible need no program.
-void add_face_ranges(IslandRanges& ranges, bool unique, Face& face) {
-  Interface& seen = face.seen;
+Interface with_ranges(const IslandRanges& ranges, bool unique, const Face& face) {
+  Interface seen = face.seen;
   seen.force_range = {seen.force, seen.force, 0.0};
-  if (unique) return;
+  if (unique) return seen;
   seen.force_range = ranges.force(face.contacts);
   if (seen.length > 0.0) {
     seen.center_range = ranges.center(face.contacts, face.place);
   } else if (seen.force_range.high > 0.0) {
     seen.center_range = {0.0, 0.0, 0.0};
   }
+  return seen;
+}
+
+void add_degree(const IslandRanges& ranges,
+                const std::vector<Face>& faces,
+                RangeWork& work,
+                ForceRanges& result) {
+  const auto carries = work.each(
+      ranges.rows(), [&](int row) { return static_cast<char>(ranges.may_carry(row) ? 1 : 0); });
+  std::vector<std::vector<int>> contacts;
+  contacts.reserve(faces.size());
+  for (const Face& face : faces)
+    contacts.push_back(face.contacts);
+  result.degree += ranges.degree(carries, contacts);
 }
 
 void add_island(const StillScene& still,
                 const IslandForces& of,
                 const RangeRequest& request,
+                RangeWork& work,
                 ForceRanges& result) {
-  IslandRanges ranges(still, of);
+  const IslandRanges ranges(still, of);
   // Forces that are the only ones possible are not asked for again.
   const auto is_unique = [&](int k) { return of.forces.unique[k] != 0; };
-  for (int k = 0; k < static_cast<int>(of.island.contacts.size()); ++k) {
+  const auto of_contact = [&](int k) {
     const Contact& c = of.island.contacts[k];
     const double f = of.forces.force[k];
-    result.contacts.push_back(!is_asked(request, c.on, c.from) ? no_load
-                              : is_unique(k)                   ? LoadRange{f, f, 0.0}
-                                                               : ranges.force({k}));
-    result.error = std::max(result.error, result.contacts.back().error);
+    if (!is_asked(request, c.on, c.from)) return no_load;
+    return is_unique(k) ? LoadRange{f, f, 0.0} : ranges.force({k});
+  };
+  for (const LoadRange& range : work.each(of.island.contacts.size(), of_contact)) {
+    result.contacts.push_back(range);
+    result.error = std::max(result.error, range.error);
   }
-  std::vector<Face> faces = find_faces(of.island);
-  for (Face& face : faces) {
-    if (!is_asked(request, face.seen.on, face.seen.from)) continue;
+  const std::vector<Face> faces = find_faces(of.island);
+  std::vector<Face> asked;
+  for (const Face& face : faces)
+    if (is_asked(request, face.seen.on, face.seen.from)) asked.push_back(face);
+  for (Face& face : asked)
     add_resultant(of, face);
-    add_face_ranges(ranges, std::ranges::all_of(face.contacts, is_unique), face);
-    result.interfaces.push_back(face.seen);
-  }
-  if (!request.degree) return;
-  std::vector<std::vector<int>> contacts;
-  contacts.reserve(faces.size());
-  for (Face& face : faces)
-    contacts.push_back(std::move(face.contacts));
-  result.degree += ranges.degree(contacts);
+  const auto of_face = [&](int k) {
+    return with_ranges(ranges, std::ranges::all_of(asked[k].contacts, is_unique), asked[k]);
+  };
+  for (Interface& face : work.each(asked.size(), of_face))
+    result.interfaces.push_back(std::move(face));
+  if (request.degree) add_degree(ranges, faces, work, result);
 }
 
 }  // namespace
 
 ForceRanges find_ranges(const StillScene& still, const RangeRequest& request) {
   ForceRanges result;
+  std::size_t contacts = 0;
   for (const IslandForces& of : still.found.islands)
-    add_island(still, of, request, result);
+    contacts += of.island.contacts.size();
+  // Each contact has a range of its own, a part in that of a face and in the degree.
+  RangeWork work(request, 3 * contacts);
+  for (const IslandForces& of : still.found.islands)
+    add_island(still, of, request, work, result);
   return result;
 }
 

@@ -5,6 +5,7 @@
 /// forces at corners do on where the corners are.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct ForceRanges {
 struct RangeRequest {
   std::vector<int> cubes{};  ///< ranges at these only; empty: all
   bool degree = true;
+  int threads = 1;                               ///< the answer has the same bits for any number
+  std::function<void(double share)> progress{};  ///< told by the calling thread how much is done
 };
 
 /// Of a scene in which nothing moves.

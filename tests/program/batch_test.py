@@ -22,6 +22,15 @@ class Batch(ProgramTest):
         self.assertIn('scene 2: unknown key "cub"; did you mean "cube"?', answers[1]["error"])
         self.assertEqual(done.stderr, "")
 
+    def test_a_file_of_many_scenes_is_told_how_to_come_in(self):
+        with open(self.path("many.jsonl"), "w") as file:
+            file.write((json.dumps(STANDING) + "\n") * 2)
+        self.assertIn("many.jsonl: is not one scene; check and run read a scene a line from standard input: - < many.jsonl",
+                      self.expect(2, "check", "many.jsonl").stderr)
+        with open(self.path("one.jsonl"), "w") as file:
+            file.write(json.dumps(STANDING) + "\n")
+        self.expect(0, "check", "one.jsonl")
+
     def test_the_exit_code_is_the_largest(self):
         self.expect(0, "check", "--json", "-", input=lines(STANDING, STANDING))
         self.expect(1, "check", "--json", "-", input=lines(STANDING, FALLING, STANDING))

@@ -42,6 +42,12 @@ class Formats(ProgramTest):
         for name in stepping[::2]:
             self.assertIn(f"{name} does nothing for the start", notes("--fit", "instant", *stepping))
 
+    def test_an_integrator_without_friction_does_something_for_the_start(self):
+        for integrator, idle in (("event", True), ("moreau", False), ("euler", False)):
+            done = self.expect(0, "figure", "incline_friction", "--fit", "instant", "--integrator", integrator, "-o", f"{integrator}.png", *SMALL)
+            self.assertEqual("--integrator does nothing" in done.stderr, idle, integrator)
+        self.expect(1, "compare", "event.png", "moreau.png")
+
     def test_both_encoders_write_the_same_pixels(self):
         for encoder in ("isa-l", "libpng"):
             self.expect(0, "figure", self.scene(STANDING), "-o", f"{encoder}.png", "--encoder", encoder, *SMALL)

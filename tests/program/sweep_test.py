@@ -202,6 +202,11 @@ verdicts = ["falls"]
             verdicts = [row["verdict"] for row in csv.DictReader(file)]
         self.assertEqual((verdicts.count("stands"), verdicts.count("falls")), (10, 5))
 
+    def test_another_number_of_cases_than_that_of_the_balance_is_refused(self):
+        with open(self.path("both.toml"), "w") as file:
+            file.write(SWEEP + "[balance]\nstands = 10\nfalls = 5\n")
+        self.assertIn("cases: is 24, but [balance] makes 15; leave cases out", self.expect(2, "sweep", "plan", "both.toml", "--dry-run").stderr)
+
     def test_a_balanced_sweep_of_another_number_keeps_its_proportions_and_cases(self):
         text = SWEEP.replace("cases = 24", "") + "[balance]\nstands = 10\nfalls = 5\n"
         self.plan(text, "all")
@@ -434,7 +439,9 @@ class Resuming(Sweep):
         self.expect(1, "sweep", "status", "plan")
         self.expect(0, "sweep", "run", "plan", "--time-budget", "1h30m")
         self.expect(0, "sweep", "status", "plan")
-        self.assertIn("--time-budget", self.expect(2, "sweep", "run", "plan", "--time-budget", "soon").stderr)
+        for span in ("soon", "3x", "-1h"):
+            self.assertIn(f"--time-budget: '{span}' is no time, as 3h50m", self.expect(2, "sweep", "run", "plan", "--time-budget", span).stderr)
+        self.assertIn("--sample: '-1' is no whole number of 0 to", self.expect(2, "sweep", "verify", "plan", "--sample", "-1").stderr)
 
     def test_a_full_disk_is_exit_5_and_can_be_resumed(self):
         self.plan(SWEEP + PICTURES)

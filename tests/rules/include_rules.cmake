@@ -75,7 +75,7 @@ set(model ${geometry} "core/scene/(scene|overlap)\\.h" core/model/)
 set(constraints ${model} core/constraints/)
 set(qp core/qp/ Ip[A-Z] coin Eigen/)
 set(dynamics ${constraints} core/dynamics/ "core/qp/((quadratic_program|qp_solver|residual_meter|methods/(canonical_multipliers|equality_solver))\\.h|coulomb/)" ${settings})
-set(statics ${dynamics} core/statics/)
+set(statics ${dynamics} core/statics/ core/work_in_order\\.h)
 set(time ${statics} core/time/ core/snapshot\\.h core/scene/ core/check\\.h fmt/)
 
 foreach(folder IN LISTS known_core_folders)

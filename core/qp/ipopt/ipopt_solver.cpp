@@ -63,10 +63,12 @@ void IpoptSolver::solve(const QuadraticProgram& program, QpResult& result) {
 }
 
 void IpoptSolver::solve_checked(const QuadraticProgram& program, QpResult& result) {
-  if (program.rows() == 0) {
-    result.x = program.target;
-    result.multiplier.clear();
-    result.residual = optimality_residual(program, result.x, result.multiplier);
+  // A target that keeps all rows is the answer. Ipopt comes near to it only, and where nothing accelerates there is no
+  // scale by which that were near enough.
+  result.x = program.target;
+  result.multiplier.assign(program.bound.size(), 0.0);
+  result.residual = optimality_residual(program, result.x, result.multiplier);
+  if (result.residual.worst() == 0.0) {
     result.status = QpStatus::optimal;
     return;
   }

@@ -46,7 +46,11 @@ void ControlledStepping::begin(const State& state, double first, double longest)
 }
 
 double ControlledStepping::advance(double t, double end, Bookkeeping& book) {
-  if (end - t < same_time * scales_.time) return end;
+  if (end - t < same_time * scales_.time) {
+    // Nothing happens in it. The record of the step before tells of blows that are over.
+    record_ = std::make_shared<const StepRecord>();
+    return end;
+  }
   const double room = std::min(stepper_.longest_step(state_), end - t);
   const double whole = std::min(step_, room);
   const double wanted = end - t - whole < same_time * scales_.time ? end - t : whole;

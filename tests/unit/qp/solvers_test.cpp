@@ -53,6 +53,17 @@ TEST_P(EverySolver, LeavesAProgramWithoutRowsAtItsTarget) {
   EXPECT_TRUE(result.multiplier.empty());
 }
 
+TEST_P(EverySolver, LeavesWhatNothingAcceleratesWhereItIs) {
+  QuadraticProgram program = falling_point();
+  program.target = {0.0, 0.0};
+  program.add_inequality(0.0);
+  program.add_entry(0, std::array{0.0, 2.0});
+  const QpResult result = solve_by(GetParam(), program);
+  EXPECT_EQ(result.status, QpStatus::optimal);
+  EXPECT_EQ(result.x, program.target);
+  EXPECT_EQ(result.multiplier, std::vector{0.0});
+}
+
 TEST_P(EverySolver, AcceptsTheEmptyProgram) {
   const QpResult result = solve_by(GetParam(), QuadraticProgram{});
   EXPECT_EQ(result.status, QpStatus::optimal);

@@ -73,6 +73,26 @@ TEST(Joints, ErrorsNameThePlaceAndSuggest) {
   EXPECT_EQ(error_with("rod = [{to = \"a\"}]\n"), "s.toml:4:8: rod[1]: needs from");
 }
 
+TEST(Joints, APlaceThatIsABodyAndAPartOfAnotherIsRefused) {
+  EXPECT_EQ(
+      toml_error("cube = [{name = \"a\", position = [0, 5]}, {name = \"a.n\", position = [4, 5]}]\n"
+                 "rod = [{from = \"a.n\", to = [0.0, 9.0]}]\n"),
+      "s.toml:2:16: rod[1].from: \"a.n\" is a body of that name and a part of \"a\" as well; "
+      "write { body = \"a.n\", at = [0, 0] } or { body = \"a\", at = [0, 0.5] }");
+}
+
+TEST(Joints, APlaceInAFrameTellsABodyFromAPart) {
+  const std::string head =
+      "cube = [{name = \"a\", position = [0, 5]}, {name = \"a.n\", position = [4, 5]},"
+      "{name = \"p.n\", position = [8, 5]}]\npoint = [{name = \"p\", position = [0, 2]}]\n";
+  const Scene scene = parse_scene(
+      head + "rod = [{from = {body = \"a.n\", at = [0, 0]}, to = \"p\"}, {from = {body = \"a\", at = [0, 0.5]}, to = \"p.n\"}]\n",
+      "s.toml");
+  EXPECT_EQ(scene.rods[0].from.body, "a.n");
+  EXPECT_EQ(scene.rods[1].from.body, "a");
+  EXPECT_EQ(scene.rods[1].to.body, "p.n") << "a point has no parts";
+}
+
 TEST(Joints, WhatCannotBeJoinedIsRefused) {
   EXPECT_EQ(error_with("rod = [{from = \"a.ne\", to = \"a.sw\"}]\n"),
             "s.toml:4:8: rod[1]: \"rod1\" joins two places of one body, which keep their distance "

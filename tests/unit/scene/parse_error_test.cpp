@@ -114,6 +114,26 @@ TEST(ParseError, WhatIsComputedStaysWithinItsRangeToo) {
       "of range");
 }
 
+TEST(ParseError, MassesThatDoublesCannotHoldTogetherAreRefused) {
+  const std::string light = "[[cube]]\nname = \"l\"\nposition = [0, 1]\nmass = 1e-4\n";
+  EXPECT_EQ(
+      toml_error("[[tower]]\ncount = 2\nbase = [5, 0]\nmass = 1e14\n" + light),
+      "s.toml:8:8: cube[1]: \"l\" has 0.0001 kg and \"tower1_1\" 1e+14 kg, out of range of each "
+      "other: more than 1e+16 to one cannot be computed with 16 digits; bring them closer, or "
+      "make a [[fixed]] box of the heavy one");
+  EXPECT_EQ(parse_scene("[[tower]]\ncount = 2\nbase = [5, 0]\nmass = 1e11\n" + light, "s.toml")
+                .cubes.size(),
+            3U);
+}
+
+TEST(ParseError, BodiesThatDoublesCannotHoldWhereTheyAreAreRefused) {
+  EXPECT_EQ(toml_error("[[cube]]\nname = \"s\"\nsize = 1e-12\nposition = [0, 1e9]\n"),
+            "s.toml:1:1: cube[1]: \"s\", 1e-12 m wide, would have position [0, 1000000000], out of "
+            "range: so far out "
+            "its corners are where its centre is; place it nearer to the origin or make it larger");
+  EXPECT_EQ(parse_scene("[[cube]]\nsize = 1e-6\nposition = [0, 1e9]\n", "s.toml").cubes.size(), 1U);
+}
+
 TEST(ParseError, DoubledNamesAreRefused) {
   EXPECT_EQ(toml_error("[[cube]]\nname = \"a\"\nposition = [0, 1]\n"
                        "[[cube]]\nname = \"a\"\nposition = [3, 1]\n"),

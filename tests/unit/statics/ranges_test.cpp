@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/scene/scene_parser.h"
 #include "tests/support/reference_case.h"
 #include "tests/support/stacks.h"
 
@@ -152,6 +153,36 @@ TEST(ForceRanges, TheCenterOfPressureHasARange) {
     wide += face.center_range.high - face.center_range.low > 1e-6 ? 1 : 0;
   }
   EXPECT_GT(wide, 0);
+}
+
+TEST(ForceRanges, HaveTheSameBitsForAnyNumberOfThreads) {
+  const Scene scene = parse_scene(
+      "plane = [{name = \"floor\"}]\nwall = [{on = \"floor\", rows = 5, columns = 5, size = [1, "
+      "0.6]}]\n",
+      "s.toml");
+  const StillScene still = still_scene(scene, {});
+  double share = 0.0;
+  RangeRequest request;
+  request.progress = [&](double done) {
+    EXPECT_GE(done, share);
+    share = done;
+  };
+  const ForceRanges alone = find_ranges(still, request);
+  EXPECT_GT(share, 0.5);
+  EXPECT_LE(share, 1.0);
+  const ForceRanges together = find_ranges(still, {.threads = 3});
+  EXPECT_EQ(together.degree, alone.degree);
+  ASSERT_GT(alone.contacts.size(), 64U);
+  ASSERT_EQ(together.contacts.size(), alone.contacts.size());
+  for (std::size_t k = 0; k < alone.contacts.size(); ++k) {
+    EXPECT_EQ(together.contacts[k].low, alone.contacts[k].low);
+    EXPECT_EQ(together.contacts[k].high, alone.contacts[k].high);
+  }
+  ASSERT_EQ(together.interfaces.size(), alone.interfaces.size());
+  for (std::size_t k = 0; k < alone.interfaces.size(); ++k) {
+    EXPECT_EQ(together.interfaces[k].force_range.high, alone.interfaces[k].force_range.high);
+    EXPECT_EQ(together.interfaces[k].center_range.low, alone.interfaces[k].center_range.low);
+  }
 }
 
 TEST(ForceRanges, NeedNoProgramWhereAForceIsTheOnlyOne) {

@@ -36,6 +36,31 @@ TEST(ControlledStepping, StepsGrowWhereTheyAreEasyAndEndWhereTheyShould) {
   EXPECT_TRUE(is_slower_than(m.system, stepping.state(), 2.0));
 }
 
+TEST(ControlledStepping, NothingHappensInATimeTooShortForAStep) {
+  Scene scene;
+  scene.gravity = Vec2::Zero();
+  scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {1.005, 0.0})};
+  scene.cubes[0].velocity = {1.0, 0.0};
+  const Mechanism m(scene);
+  ControlledStepping stepping(m.system, {}, policy_of({}));
+  const double moment = 1e-9;
+  const auto expect_nothing = [&](double t) {
+    Bookkeeping book;
+    EXPECT_EQ(stepping.advance(t, t + moment, book), t + moment);
+    ASSERT_NE(stepping.record(), nullptr);
+    EXPECT_TRUE(stepping.record()->impulses.empty());
+    const State& end = stepping.state();
+    const State look = StepLook(m.system, {}).at(end, end, moment, 0.5, *stepping.record());
+    EXPECT_EQ(look[0].velocity, end[0].velocity);
+  };
+  stepping.begin(m.state, 0.01, 0.01);
+  expect_nothing(0.0);
+  Bookkeeping book;
+  EXPECT_EQ(stepping.advance(0.0, 0.01, book), 0.01);
+  EXPECT_FALSE(stepping.record()->impulses.empty());
+  expect_nothing(0.01);
+}
+
 TEST(StepLook, InFreeFlightItIsTheParabola) {
   const Mechanism m(flying());
   RattleStepper stepper(m.system, {}, 0.0);
