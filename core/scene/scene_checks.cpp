@@ -53,7 +53,7 @@ struct Weighed {
   double mass = 0.0;
 };
 
-/// The lightest and the heaviest of what moves.
+/// The lightest and the heaviest of what moves, of which there is something.
 std::pair<Weighed, Weighed> extremes(const Scene& scene) {
   std::vector<Weighed> all;
   for (std::size_t i = 0; i < scene.cubes.size(); ++i)
@@ -75,9 +75,8 @@ void check_masses(const Scene& scene, const Groups& groups, const SceneSource& s
       place_of(later, "mass"), later.path,
       fmt::format(
           "\"{}\" has {:g} kg and \"{}\" {:g} kg, out of range of each other: more than {:.0g} to "
-          "one "
-          "cannot be "
-          "computed with 16 digits; bring them closer, or make a [[fixed]] box of the heavy one",
+          "one cannot be computed with 16 digits; bring them closer, or make a [[fixed]] box of "
+          "the heavy one",
           body_name(scene, light.body), light.mass, body_name(scene, heavy.body), heavy.mass,
           most_mass_ratio));
 }
@@ -122,8 +121,8 @@ void check_ranges(const Scene& scene, const Groups& groups, const SceneSource& s
     const Origin& origin = *groups.of(body).origin;
     source.fail(origin.table->place, origin.path,
                 fmt::format("\"{}\", {} m wide, would have position [{}, {}], out of range: so far "
-                            "out its corners are where "
-                            "its centre is; place it nearer to the origin or make it larger",
+                            "out its corners are where its centre is; place it nearer to the "
+                            "origin or make it larger",
                             body_name(scene, body), size.minCoeff(), position.x(), position.y()));
   };
   for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
