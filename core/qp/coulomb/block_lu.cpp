@@ -10,15 +10,24 @@
 namespace wuerfel {
 namespace {
 
+/// The columns of a block. An array of them would be copied through memory.
+struct Columns {
+  Column c0, c1, c2;
+};
+inline void load(const Quad* A, Columns& to) {
+  load(A[0], to.c0);
+  load(A[1], to.c1);
+  load(A[2], to.c2);
+}
+
 /// C -= A B', blocks of three columns.
 inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
-  Column a[3];
-  for (int k = 0; k < 3; ++k)
-    load(A[k], a[k]);
+  Columns a;
+  load(A, a);
   for (int c = 0; c < 3; ++c) {
     Column column;
     load(C[c], column);
-    column -= (a[0] * B[0].v[c] + a[1] * B[1].v[c]) + a[2] * B[2].v[c];
+    column -= (a.c0 * B[0].v[c] + a.c1 * B[1].v[c]) + a.c2 * B[2].v[c];
     store(column, C[c]);
   }
 }
@@ -75,11 +84,23 @@ inline int invert(const Quad* A, Quad* X) {
 
 /// C := C X, three columns each.
 inline void multiply(Quad* C, const Quad* X) {
-  Column column[3];
-  for (int k = 0; k < 3; ++k)
-    load(C[k], column[k]);
+  Columns columns;
+  load(C, columns);
   for (int c = 0; c < 3; ++c)
-    store((column[0] * X[c].v[0] + column[1] * X[c].v[1]) + column[2] * X[c].v[2], C[c]);
+    store((columns.c0 * X[c].v[0] + columns.c1 * X[c].v[1]) + columns.c2 * X[c].v[2], C[c]);
+}
+
+inline void transpose(Quad* A) {
+  std::swap(A[0].v[1], A[1].v[0]);
+  std::swap(A[0].v[2], A[2].v[0]);
+  std::swap(A[1].v[2], A[2].v[1]);
+}
+
+/// column -= A x
+inline void subtract_product(const Quad* A, const double* x, Column& column) {
+  Columns a;
+  load(A, a);
+  column -= (a.c0 * x[0] + a.c1 * x[1]) + a.c2 * x[2];
 }
 
 }  // namespace
@@ -136,35 +157,33 @@ WUERFEL_CLONES bool BlockLu::factorise() {
     for (int q = diagonal + 1; q < end; ++q)
       multiply(lower_.data() + 3 * q, X);
   }
+  for (std::size_t q = 0; q < pattern_.row.size(); ++q)
+    transpose(upper_.data() + 3 * q);
   return regular;
 }
 
 WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
+  const int* const start = pattern_.column_start.data();
+  const int* const row = pattern_.row.data();
   for (int j = 0; j < pattern_.blocks; ++j) {
     const Quad z = v[j];
     // Of a single contact most blocks are not reached.
     if (z.v[0] == 0.0 && z.v[1] == 0.0 && z.v[2] == 0.0) continue;
-    for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {
-      const Quad* L = lower_.data() + 3 * q;
-      Quad t = v[pattern_.row[q]];
-      for (int r = 0; r < 4; ++r)
-        t.v[r] -= (L[0].v[r] * z.v[0] + L[1].v[r] * z.v[1]) + L[2].v[r] * z.v[2];
-      v[pattern_.row[q]] = t;
+    for (int q = start[j] + 1; q < start[j + 1]; ++q) {
+      Column t;
+      load(v[row[q]], t);
+      subtract_product(lower_.data() + 3 * q, z.v, t);
+      store(t, v[row[q]]);
     }
   }
   for (int j = pattern_.blocks - 1; j >= 0; --j) {
-    double z[3] = {v[j].v[0], v[j].v[1], v[j].v[2]};
-    for (int q = pattern_.column_start[j] + 1; q < pattern_.column_start[j + 1]; ++q) {
-      const Quad* U = upper_.data() + 3 * q;
-      const double* x = v[pattern_.row[q]].v;
-      for (int c = 0; c < 3; ++c)
-        z[c] -= (U[c].v[0] * x[0] + U[c].v[1] * x[1]) + U[c].v[2] * x[2];
-    }
-    const Quad* X = inverse_.data() + 3 * j;
-    Quad x{};
-    for (int r = 0; r < 4; ++r)
-      x.v[r] = (X[0].v[r] * z[0] + X[1].v[r] * z[1]) + X[2].v[r] * z[2];
-    v[j] = x;
+    Column t;
+    load(v[j], t);
+    for (int q = start[j] + 1; q < start[j + 1]; ++q)
+      subtract_product(upper_.data() + 3 * q, v[row[q]].v, t);
+    Columns X;
+    load(inverse_.data() + 3 * j, X);
+    store((X.c0 * t[0] + X.c1 * t[1]) + X.c2 * t[2], v[j]);
   }
 }
 

@@ -84,22 +84,10 @@ void find_dl(const ContactForm& form,
              const ContactPoint& at,
              ConeSystem& system,
              ContactStep& step) {
-  auto& [dy, dl, Gdy] = step;
-  form.apply(dy.data(), Gdy.data());
-  for (int i = 0; i < form.count(); ++i) {
-    const ContactForm::Weight& w = system.weight[i];
-    const Pair& right = system.right[i];
-    const double n = right.n - Gdy[i].n;
-    dl[i] = {w.nn * n + at.l[i].n, w.tn * n + w.tt * (right.t - Gdy[i].t) + at.l[i].t};
-  }
-  form.apply_transposed(dl.data(), system.missed.data());
-  for (int i = 0; i < form.count(); ++i) {
-    dl[i].n -= at.l[i].n;
-    dl[i].t -= at.l[i].t;
-  }
-  for (std::size_t b = 0; b < dy.size(); ++b) {
+  form.respond(system.weight, system.right, &at.l, step, system.missed.data());
+  for (std::size_t b = 0; b < step.dy.size(); ++b) {
     for (int c = 0; c < 3; ++c)
-      system.missed[b].v[c] -= at.y[b].v[c] + dy[b].v[c];
+      system.missed[b].v[c] -= at.y[b].v[c] + step.dy[b].v[c];
   }
 }
 

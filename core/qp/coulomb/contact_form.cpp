@@ -25,6 +25,42 @@ inline void add_outer(const Column& n, const Column& p, const Column& t, const C
 /// Normal and tangential part side by side.
 using Both = double __attribute__((vector_size(sizeof(Pair))));
 
+/// g y
+inline Pair rows_of(std::span<const ContactEntry> entries, const int* block, const Quad* y) {
+  Both sum = {0.0, 0.0};
+  for (const ContactEntry& entry : entries) {
+    Column n;
+    Column t;
+    Column x;
+    load(entry.n, n);
+    load(entry.t, t);
+    load(y[*block++], x);
+    n *= x;
+    t *= x;
+    sum += (Both{n[0], t[0]} + Both{n[1], t[1]}) + Both{n[2], t[2]};
+  }
+  return {sum[0], sum[1]};
+}
+
+/// out += g' f
+inline void add_forces(std::span<const ContactEntry> entries,
+                       const int* block,
+                       const Pair& f,
+                       Quad* out) {
+  if (f.n == 0.0 && f.t == 0.0) return;
+  for (const ContactEntry& entry : entries) {
+    Column n;
+    Column t;
+    Column sum;
+    load(entry.n, n);
+    load(entry.t, t);
+    Quad& to = out[*block++];
+    load(to, sum);
+    sum += f.n * n + f.t * t;
+    store(sum, to);
+  }
+}
+
 /// Adds the blocks of a unit: those of its normal row, and what the tangential one has beyond them.
 void add_blocks(const QuadraticProgram& p, const ContactUnit& unit, std::vector<int>& blocks) {
   const std::span<const int> normal = p.blocks_of(unit.normal);
@@ -195,38 +231,33 @@ void ContactForm::scale_row(const QuadraticProgram& p,
 }
 
 WUERFEL_CLONES void ContactForm::apply(const Quad* y, Pair* out) const {
-  for (const ContactUnit& unit : units_) {
-    Both sum = {0.0, 0.0};
-    for (int e = unit.first; e < unit.last; ++e) {
-      Column n;
-      Column t;
-      Column x;
-      load(entry_[e].n, n);
-      load(entry_[e].t, t);
-      load(y[block_[e]], x);
-      n *= x;
-      t *= x;
-      sum += (Both{n[0], t[0]} + Both{n[1], t[1]}) + Both{n[2], t[2]};
-    }
-    *out++ = {sum[0], sum[1]};
-  }
+  for (const ContactUnit& unit : units_)
+    *out++ = rows_of(entries(unit), blocks_of(unit), y);
 }
 
 WUERFEL_CLONES void ContactForm::apply_transposed(const Pair* l, Quad* out) const {
   std::fill(out, out + blocks_, Quad{});
-  for (const ContactUnit& unit : units_) {
-    const Pair f = *l++;
-    if (f.n == 0.0 && f.t == 0.0) continue;
-    for (int e = unit.first; e < unit.last; ++e) {
-      Column n;
-      Column t;
-      Column sum;
-      load(entry_[e].n, n);
-      load(entry_[e].t, t);
-      load(out[block_[e]], sum);
-      sum += f.n * n + f.t * t;
-      store(sum, out[block_[e]]);
-    }
+  for (const ContactUnit& unit : units_)
+    add_forces(entries(unit), blocks_of(unit), *l++, out);
+}
+
+/// In one pass: what takes time is reading the entries.
+WUERFEL_CLONES void ContactForm::respond(const std::vector<Weight>& weight,
+                                         const std::vector<Pair>& right,
+                                         const std::vector<Pair>* l,
+                                         ContactStep& step,
+                                         Quad* out) const {
+  std::fill(out, out + blocks_, Quad{});
+  for (int i = 0; i < count(); ++i) {
+    const ContactUnit& unit = units_[i];
+    const Weight& w = weight[i];
+    const Pair rows = rows_of(entries(unit), blocks_of(unit), step.dy.data());
+    const double n = right[i].n - rows.n;
+    const Pair former = l != nullptr ? (*l)[i] : Pair{};
+    const Pair sum{w.nn * n + former.n, w.tn * n + w.tt * (right[i].t - rows.t) + former.t};
+    add_forces(entries(unit), blocks_of(unit), sum, out);
+    step.Gdy[i] = rows;
+    step.dl[i] = {sum.n - former.n, sum.t - former.t};
   }
 }
 

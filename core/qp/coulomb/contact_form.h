@@ -40,6 +40,12 @@ struct ContactEntry {
   Quad n, t;
 };
 
+/// A change of forces and of what they make of a point and of its rows.
+struct ContactStep {
+  std::vector<Quad> dy;
+  std::vector<Pair> dl, Gdy;
+};
+
 class ContactForm {
  public:
   /// Takes over a sound program of blocks of at most three. The order stays if the same blocks are coupled as in the last
@@ -70,6 +76,12 @@ class ContactForm {
   struct Weight {
     double nn = 0.0, nt = 0.0, tn = 0.0, tt = 0.0;
   };
+  /// What the dy of a step calls for, dl = C (right - G dy), and out = G' (l + dl) with forces l if there are any.
+  void respond(const std::vector<Weight>& weight,
+               const std::vector<Pair>& right,
+               const std::vector<Pair>* l,
+               ContactStep& step,
+               Quad* out) const;
   /// K -> factors; false where K is singular.
   bool factorise(const std::vector<Weight>& weight);
   void solve(Quad* v) const { lu_.solve(v); }

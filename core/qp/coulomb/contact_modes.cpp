@@ -122,18 +122,6 @@ bool ModeSystem::change(ContactForm& form, const std::vector<ContactMode>& modes
   return factorise(form, modes, delta_, pivoting_);
 }
 
-/// Forces that belong to dy, from the rows; leaves u_ = G' dl - dy.
-void ModeSystem::find_forces(const ContactForm& form, const std::vector<Pair>& r) {
-  auto& [dy, dl, Gdy] = step_;
-  form.apply(dy.data(), Gdy.data());
-  for (int i = 0; i < form.count(); ++i) {
-    const ContactForm::Weight& w = weight_[i];
-    const double n = r[i].n - Gdy[i].n;
-    dl[i] = {w.nn * n, w.tn * n + w.tt * (r[i].t - Gdy[i].t)};
-  }
-  form.apply_transposed(dl.data(), u_.data());
-}
-
 void ModeSystem::solve(const ContactForm& form,
                        const std::vector<Pair>& r,
                        const std::vector<Quad>& u,
@@ -156,7 +144,7 @@ void ModeSystem::solve(const ContactForm& form,
   add(1.0, u, u_);
   terms_.solve(form, u_);
   dy = u_;
-  find_forces(form, r);
+  form.respond(weight_, r, nullptr, step_, u_.data());
   refine(form, r, u, balance);
 }
 
@@ -167,7 +155,7 @@ void ModeSystem::solve_again(const ContactForm& form,
                              double balance) {
   const Pair& rows = step_.Gdy[unit];
   terms_.correct(form, {r[unit].n - rows.n, r[unit].t - rows.t}, step_.dy);
-  find_forces(form, r);
+  form.respond(weight_, r, nullptr, step_, u_.data());
   refine(form, r, u, balance);
 }
 
@@ -191,7 +179,7 @@ void ModeSystem::refine(const ContactForm& form,
     former = missed;
     terms_.solve(form, u_);
     add(1.0, u_, dy);
-    find_forces(form, r);
+    form.respond(weight_, r, nullptr, step_, u_.data());
   }
 }
 

@@ -30,12 +30,6 @@ inline ContactMode slip_mode(double sign) {
   return sign > 0.0 ? ContactMode::slip_forward : ContactMode::slip_back;
 }
 
-/// A change of forces and of what they make of a point and of its rows.
-struct ContactStep {
-  std::vector<Quad> dy;
-  std::vector<Pair> dl, Gdy;
-};
-
 /// Forces, what they make of the point, and what the rows miss.
 struct ContactPoint {
   std::vector<Quad> y;
@@ -107,7 +101,6 @@ class ModeSystem {
               const std::vector<Pair>& r,
               const std::vector<Quad>& u,
               double balance);
-  void find_forces(const ContactForm& form, const std::vector<Pair>& r);
 
   PivotedModes pivoted_;
   Pivoting pivoting_ = Pivoting::none;
@@ -115,7 +108,7 @@ class ModeSystem {
   RankOneTerms terms_;  ///< of units that have changed since
   std::vector<ContactForm::Weight> weight_;
   ContactStep step_;
-  std::vector<Quad> u_;
+  std::vector<Quad> u_;  ///< G' dl - dy
 };
 
 /// The forces in their cones and as the mode has them: l_n = 0 where open, l_t = -s mu l_n.
