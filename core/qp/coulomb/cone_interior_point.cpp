@@ -200,17 +200,17 @@ void round_off(const ContactForm& form, double weight, const ConeIterate& at, Co
   }
 }
 
-/// Predictor and corrector; beyond a fold, where det K < 0, tau has to grow.
-void choose_direction(const ContactForm& form,
-                      const ConeIterate& at,
-                      Folds folds,
-                      ConeSystem& system,
-                      ConeDirection& step) {
+/// Predictor and corrector; beyond a fold, where det K < 0, tau has to grow. Returns the length of the step.
+double choose_direction(const ContactForm& form,
+                        const ConeIterate& at,
+                        Folds folds,
+                        ConeSystem& system,
+                        ConeDirection& step) {
   const double tau = mean_product(at, step, 0.0);
   system.corrector.assign(at.pairs.size(), {});
   if (form.sign() < 0 && folds == Folds::go_back) {
     find_direction(form, at, 2.0 * tau, system, step);
-    return;
+    return step_length(at, step);
   }
   find_direction(form, at, 0.0, system, step);
   const double ratio = tau > 0.0 ? mean_product(at, step, step_length(at, step)) / tau : 0.0;
@@ -219,9 +219,11 @@ void choose_direction(const ContactForm& form,
       system.corrector[i][k] = step.pairs[i].force[k] * step.pairs[i].slack[k];
   }
   find_direction(form, at, std::clamp(ratio * ratio * ratio, 0.0, 1.0) * tau, system, step);
-  if (step_length(at, step) >= short_step) return;
+  const double length = step_length(at, step);
+  if (length >= short_step) return length;
   system.corrector.assign(at.pairs.size(), {});
   find_direction(form, at, 0.9 * tau, system, step);
+  return step_length(at, step);
 }
 
 /// Of steps across folds.
@@ -267,8 +269,7 @@ ConeInteriorOutcome ConeInteriorPoint::run(ContactForm& form,
     ++outcome.factorisations;
     if (!form.factorise(system_.weight)) break;
     if (damping.grow(form.sign())) continue;
-    choose_direction(form, at_, effort.folds, system_, step_);
-    double step = step_length(at_, step_);
+    double step = choose_direction(form, at_, effort.folds, system_, step_);
     damping.follow(step);
     if (step < short_step) step = step_length_of_most(at_, step_);
     move(step, step_, at_);
