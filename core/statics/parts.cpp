@@ -106,7 +106,7 @@ void PartJudge::fall(const Generators& glued, PartStand& part) const {
   if (a.linear.norm() + radius * std::abs(a.angular) <= stands_below * g.norm()) return;
   part.motion = a;
   double most = 0.0;
-  double largest = 0.0;
+  double largest = part.mass * g.norm();  // of what falls freely in touch all forces are rounding
   for (const double f : result.multiplier)
     largest = std::max(largest, f);
   for (int row = 0; row < program.rows(); ++row) {
