@@ -16,6 +16,10 @@ namespace {
 
 /// Cubes that are looked at: of large piles those that fail first.
 constexpr int most_cubes = 24;
+/// Forces, and places as shares of a side, that differ by less are the same.
+constexpr double same = 1e-9;
+/// By which a force is larger where it may or may not stand with the least one.
+constexpr double beyond_rounding = 1e-9;
 
 /// |a| + side |alpha| of the cube that it is largest for, m/s^2.
 double largest(const StillScene& still, const Island& island, const std::vector<Twist>& a) {
@@ -73,6 +77,33 @@ void keep_smallest(int most, std::vector<Fix>& fixes) {
   if (static_cast<int>(fixes.size()) > most) fixes.resize(most);
 }
 
+/// How far the point of a force is from the cube's centre against the force, which pushes there, against gravity, and the way that
+/// the cube goes, m.
+std::array<double, 3> handiness(const StillScene& still, const Fix& fix, const Twist& motion) {
+  const Vec2 arm = fix.point - still.state[fix.cube].position;
+  return {-arm.dot(fix.force.normalized()), -arm.dot(still.down()),
+          arm.dot(motion.linear.normalized())};
+}
+
+/// Of equal forces it is the one that pushes, not pulls, then the one farther up, then ahead.
+bool is_better(const StillScene& still, const Fix& fix, const Fix& other, const Twist& motion) {
+  const double more = fix.size() - other.size();
+  if (std::abs(more) > same * other.size()) return more < 0.0;
+  const double least = same * still.system.body(fix.cube).smaller_side();
+  const std::array<double, 3> mine = handiness(still, fix, motion);
+  const std::array<double, 3> others = handiness(still, other, motion);
+  for (std::size_t k = 0; k < mine.size(); ++k)
+    if (std::abs(mine[k] - others[k]) > least) return mine[k] > others[k];
+  return false;
+}
+
+void verify(const StillScene& still, Fix& fix) {
+  fix.verified = verdict_with_force(still, fix.cube, fix.point, fix.force);
+  if (fix.verified != Verdict::undecided) return;
+  fix.force *= 1.0 + beyond_rounding;
+  fix.verified = verdict_with_force(still, fix.cube, fix.point, fix.force);
+}
+
 /// The best force on each cube.
 std::vector<Fix> forces(const StillScene& still,
                         const IslandForces& of,
@@ -83,7 +114,9 @@ std::vector<Fix> forces(const StillScene& still,
   const Load w = weights(still, of.island);
   std::vector<Fix> fixes;
   for (const Hold& hold : holds(still, of.island, cubes, certificate)) {
-    if (static_cast<int>(fixes.size()) == most && hold.at_least >= fixes.back().size()) break;
+    if (static_cast<int>(fixes.size()) == most
+        && hold.at_least > (1.0 + same) * fixes.back().size())
+      break;
     const double unit = still.weight(hold.cube);
     const Load q = force_at(still, of.island, hold.cube, hold.point, unit * hold.direction);
     const double s = factor.low(w, q);
@@ -93,11 +126,12 @@ std::vector<Fix> forces(const StillScene& still,
     fix.cube = hold.cube;
     fix.point = hold.point;
     fix.force = s * unit * hold.direction;
-    const auto same = std::ranges::find(fixes, hold.cube, &Fix::cube);
-    if (same != fixes.end() && same->size() <= fix.size()) continue;
-    fix.verified = verdict_with_force(still, fix.cube, fix.point, fix.force);
+    const auto former = std::ranges::find(fixes, hold.cube, &Fix::cube);
+    if (former != fixes.end() && !is_better(still, fix, *former, certificate.motion[hold.cube]))
+      continue;
+    verify(still, fix);
     if (fix.verified != Verdict::stands) continue;
-    if (same != fixes.end()) fixes.erase(same);
+    if (former != fixes.end()) fixes.erase(former);
     fixes.push_back(fix);
     keep_smallest(most, fixes);
   }

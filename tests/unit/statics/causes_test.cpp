@@ -81,6 +81,23 @@ TEST(Causes, WhatNothingCarriesDropsAndWhatNothingHoldsSlides) {
   EXPECT_FALSE(slides->corner);
 }
 
+// Turned by 0.7 rad with gravity: rounding leaves forces of 1e-19 N between sides that touch.
+TEST(Causes, WhatFallsInTouchIsNotCarried) {
+  const Vec2 along{std::cos(0.7), std::sin(0.7)};
+  Scene scene;
+  scene.gravity = g * Vec2(along.y(), -along.x());
+  for (int i = 0; i < 3; ++i) {
+    scene.cubes.push_back(
+        cube("b" + std::to_string(i), (1.8 + 1.3 * i) * along + 5.0 * Vec2(-along.y(), along.x())));
+    scene.cubes.back().size = {1.3, 0.5};
+    scene.cubes.back().angle = 0.7;
+  }
+  const Causes found = find_causes(still(scene));
+  ASSERT_EQ(found.causes.size(), 3U);
+  for (const Cause& cause : found.causes)
+    EXPECT_EQ(cause.failure, FailureMode::drops) << cause.on.size();
+}
+
 TEST(Causes, WhatHangsOnARodSwings) {
   Scene scene = parse_scene(
       "version = 1\n[[cube]]\nname = \"a\"\nposition = [1.0, 0.0]\n"
@@ -148,6 +165,21 @@ TEST(Fixes, OfOneBlockAreKnown) {
   EXPECT_NEAR(fixes[0].distance, -0.05, 1e-9);
   EXPECT_NEAR(fixes[1].force.y(), g * 0.05 / 0.55, 1e-9 * g);
   EXPECT_NEAR(fixes[1].point.x(), 1.05, 1e-12);
+  EXPECT_NEAR(fixes[1].point.y(), 1.0, 1e-12);  // it pushes from below
+}
+
+// The same force at any corner holds what slides.
+TEST(Fixes, PushAtTheUpperCornerBehindWhatSlides) {
+  for (const double way : {-1.0, 1.0}) {
+    Scene scene = on_floor({cube("a", {3.0, 0.5})});
+    scene.gravity = g * Vec2(0.3 * way, -1.0);
+    scene.cubes[0].size = {2.0, 1.0};
+    const StillScene sliding = still(scene);
+    const std::vector<Fix> fixes = find_fixes(sliding, {}, find_causes(sliding));
+    ASSERT_EQ(fixes.size(), 1U);
+    EXPECT_NEAR((fixes[0].point - Vec2(3.0 + way, 1.0)).norm(), 0.0, 1e-12)
+        << fixes[0].point.transpose();
+  }
 }
 
 }  // namespace
