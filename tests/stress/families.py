@@ -251,6 +251,8 @@ def families(reference):
                known=("random_standing 4471",)),
         Family("random_events", "scenes", [40, 61, 133, 256], list(range(1000)), random_events, collection=True),
         Family("seen_otherwise", "scenes", [*range(40), 1086], list(range(10000)), seen_otherwise, collection=True),
+        Family("seen_joined", "scenes", list(range(40)), list(range(10000)), lambda seed: seen_otherwise(seed, joined=True), collection=True),
+        Family("explained", "scenes", list(range(40)), list(range(10000)), lambda seed: seen_otherwise(seed, command="explain"), collection=True),
         Family("laws", "scenes", list(range(60)), list(range(10000)), random_laws, collection=True),
         Family("gallery", "scenes", list(range(len(gallery()))), list(range(len(gallery()))), gallery_family, collection=True,
                known=("needle across a gap",)),

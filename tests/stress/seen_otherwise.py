@@ -1,4 +1,5 @@
-"""Scenes at rest by seed, whose statics must be the same seen otherwise: mirrored, turned, moved, in other units, in another order."""
+"""Scenes at rest by seed, whose statics and their reasons must be the same seen otherwise: mirrored, turned, moved, in other units,
+in another order."""
 import copy
 import dataclasses
 import itertools
@@ -9,7 +10,6 @@ from case import Case
 from gallery import scene
 
 SAME = 1e-6  # of the weight, of a length of 1 m, of 1 rad
-ASKED = ("--margin", "--ranges")
 
 
 @dataclasses.dataclass
@@ -38,15 +38,41 @@ class View:
         for cube in seen["cube"]:
             cube |= {"position": self.place(cube["position"]), "angle": self.angle, "size": [self.length * s for s in cube["size"]],
                      "mass": self.mass * cube["mass"]}
-        seen["cube"] = seen["cube"][::self.order]
+        for rod in seen["rod"]:
+            rod |= {end: self.end(rod[end]) for end in ("from", "to")}
+        for bodies in ("cube", "rod"):
+            seen[bodies] = seen[bodies][::self.order]
         return seen
+
+    def end(self, place):
+        """A place in the world, or of a body, which turns with it."""
+        if not isinstance(place, str):
+            return self.place(place)
+        body, dot, of_body = place.partition(".")
+        return body + dot + (of_body.translate(str.maketrans("ew", "we")) if self.side < 0 else of_body)
 
 
 VIEWS = (View("mirrored", side=-1), View("turned", angle=0.7), View("moved", shift=(7, -3)), View("in other order", order=-1),
          View("in other units", length=3.7, mass=0.14, time=1.9))
 
 
-def stack(draw):
+SIDES = {"": (0, 0), ".n": (0, 1), ".e": (1, 0), ".s": (0, -1), ".w": (-1, 0), ".ne": (1, 1), ".se": (1, -1), ".sw": (-1, -1), ".nw": (-1, 1)}
+
+
+def some_rods(draw, cubes):
+    """Up to three, from the middle, a side or a corner of a cube to that of another or to a place in the world."""
+    def end(cube):
+        side = draw.choice(list(SIDES))
+        return cube["name"] + side, [p + s * d / 2 for p, s, d in zip(cube["position"], SIDES[side], cube["size"])]
+    for k in range(draw.randint(1, 3)):
+        one, other = draw.choice(cubes), draw.choice(cubes)
+        in_world = [draw.uniform(-3, 5), draw.uniform(0, 5)]
+        (start, here), (to, there) = end(one), end(other) if other is not one else (in_world, in_world)
+        if math.dist(here, there) > 1e-6:
+            yield {"name": f"r{k}", "from": start, "to": to}
+
+
+def stack(draw, joined=False):
     """Up to four courses of bricks, flush with one another or not, on a floor and sometimes at a wall; ground tilted in half of them."""
     cubes, y = [], 0.0
     for _ in range(draw.randint(1, 4)):
@@ -59,7 +85,8 @@ def stack(draw):
         y += height
     planes = [{"name": "floor"}] + ([{"name": "wall", "point": [-1, 0], "normal": [1, 0]}] if draw.random() < 0.3 else [])
     tilt = draw.choice([0, draw.uniform(-0.3, 0.3)])
-    return scene(cubes, planes=planes, gravity=[9.81 * math.sin(tilt), -9.81 * math.cos(tilt)], material={"friction": draw.choice([0.3, 0.6])})
+    rods = list(some_rods(draw, cubes)) if joined else []
+    return scene(cubes, planes=planes, rod=rods, gravity=[9.81 * math.sin(tilt), -9.81 * math.cos(tilt)], material={"friction": draw.choice([0.3, 0.6])})
 
 
 def lengths(body, view):
@@ -76,8 +103,31 @@ def back(view, p):
     return [view.side * (c * x + s * y) + 0.0, c * y - s * x + 0.0]
 
 
-def numbers(answer, view, unit):
-    """(name, number or None) of all that must be the same; forces in `unit`."""
+def back_force(view, force, unit):
+    origin = dataclasses.replace(view, shift=(0, 0), length=1.0)
+    return [f / unit for f in back(origin, force)]
+
+
+def reasons(answer, view, unit):
+    """Of `explain`, likewise."""
+    yield "verdict", answer["verdict"]
+    for cause in sorted(answer["causes"], key=lambda c: (sorted(c["part"]), sorted(c["on"]))):
+        name = f"{sorted(cause['part'])} on {sorted(cause['on'])}"
+        yield f"outside of {name}", cause["outside"] / view.length if cause["corner"] else name
+        for x in back(view, cause["corner"]) if cause["corner"] else ():
+            yield f"corner of {name}", x
+    for fix in sorted(answer["fixes"], key=lambda f: (f["kind"], f["body"])):
+        name = f"{fix['kind']} of {fix['body']}"
+        yield name, fix["verified"]
+        for x in back(view, fix["point"]):
+            yield f"point of {name}", x
+        yield f"distance of {name}", fix["distance"] and view.side * fix["distance"] / view.length
+        for f in back_force(view, fix["force"], unit) if fix["force"] else ():
+            yield f"force of {name}", f
+
+
+def statics(answer, view, unit):
+    """(name, number or None) of all that must be the same of `check`; forces in `unit`."""
     yield "verdict", answer["verdict"]
     yield "facts", str(answer.get("facts"))
     if answer["verdict"] != "stands":
@@ -87,6 +137,10 @@ def numbers(answer, view, unit):
         yield f"unique of {name}", contact["unique"]
         for key in ("force", "min", "max"):
             yield f"{key} of {name}", None if contact[key] is None else contact[key] / unit
+    for rod in sorted(answer.get("rods", []), key=lambda r: r["name"]):
+        yield f"unique of {rod['name']}", rod["unique"]
+        for key in ("force", "min", "max"):
+            yield f"{key} of {rod['name']}", None if rod.get(key) is None else rod[key] / unit
     for key, tilt in sorted((answer["margin"]["tilt"] or {}).items()):
         if isinstance(tilt, dict):
             left, right = (tilt["left"], tilt["right"])[::int(view.side)]
@@ -106,7 +160,10 @@ def differ(a, b):
     return a != b
 
 
-def same_as(answer, a_scene, view):
+ASKED = {"check": (("--margin", "--ranges"), statics), "explain": ((), reasons)}
+
+
+def same_as(answer, a_scene, view, numbers):
     weight = 9.81 * sum(c["mass"] for c in a_scene["cube"])
 
     def expect(seen):
@@ -117,11 +174,14 @@ def same_as(answer, a_scene, view):
     return expect
 
 
-def seen_otherwise(seed):
+def seen_otherwise(seed, joined=False, command="check"):
+    arguments, numbers = ASKED[command]
+
     def look(views):
         def then(a_scene, answer):
             view, rest = views[0], views[1:]
             follow = (lambda _, __: look(rest)(a_scene, answer)) if rest else None
-            return Case(view.of(a_scene), ASKED, "check", same_as(answer, a_scene, view), then=follow)
+            return Case(view.of(a_scene), arguments, command, same_as(answer, a_scene, view, numbers), then=follow)
         return then
-    return [Case(stack(random.Random(f"seen {int(seed)}")), ASKED, "check", then=look(VIEWS))]
+    name = "seen joined" if joined else "seen"
+    return [Case(stack(random.Random(f"{name} {int(seed)}"), joined), arguments, command, then=look(VIEWS))]
