@@ -6,6 +6,16 @@
 #include "core/dynamics/rod_rows.h"
 
 namespace wuerfel {
+namespace {
+
+/// m, from the common centre to a body's, or its radius, if that is larger. A point alone is its own centre but for rounding.
+double arm_about(const Vec2& center, const Vec2& position, const Body& body) {
+  constexpr double rounding = 1e-15;
+  const double distance = (position - center).norm();
+  return std::max(distance > rounding * center.norm() ? distance : 0.0, body.radius());
+}
+
+}  // namespace
 
 Vec2 common_center(const System& system, const State& state, std::span<const char> resting) {
   double mass = 0.0;
@@ -80,7 +90,7 @@ MomentumScale momentum_scale(const System& system, const State& state, double sp
     const Body& body = system.body(i);
     const double p = body.mass * std::max(fastest_corner(body, state[i]), speed);
     scale.linear += p;
-    scale.angular += p * std::max((state[i].position - center).norm(), body.radius());
+    scale.angular += p * arm_about(center, state[i].position, body);
   }
   return scale;
 }

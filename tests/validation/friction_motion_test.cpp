@@ -177,5 +177,25 @@ TEST(Bouncing, EndsWhenItsSeriesDoes) {
   EXPECT_NEAR(simulation.states()[0].position.y(), 0.5, 1e-9);
 }
 
+// Friction stops the cube along the incline before its bounces are over, or lets it go on: the end of the series is the same, even
+// where the last bounces are as low as what counts as touching.
+TEST(Bouncing, OnAnInclineEndsWhenItsSeriesDoes) {
+  for (const double friction : {0.0, 0.1, 0.6}) {
+    for (const double restitution : {0.2, 0.3, 0.5, 0.8}) {
+      Scene scene = on_incline(friction, 0.3, 1.5);
+      const Vec2 normal = scene.planes[0].normal;
+      scene.cubes[0].position += 0.5 * normal;
+      scene.cubes[0].material.restitution = restitution;
+      scene.planes[0].material.restitution = restitution;
+      Simulation simulation(scene, {});
+      const double fall = std::sqrt(2.0 * 0.5 / (g * normal.y()));
+      const double end = fall * (1.0 + 2.0 * restitution / (1.0 - restitution));
+      simulation.advance_to(end + 0.01);
+      EXPECT_NEAR(simulation.events().back().t, end, 1e-9) << friction << " " << restitution;
+      EXPECT_EQ(count(simulation.events(), EventKind::rest), friction > std::tan(0.3) ? 1 : 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wuerfel::test

@@ -19,8 +19,9 @@ class BounceSeries {
   using Stays = std::function<bool(const NamePair&)>;
 
   /// Takes note of the impacts of an instant. A rest that ends a series, short of its last bounces,
-  /// is dated when these would be over, if that is within `most` s; pairs that stay in touch and
-  /// move on, which `stays` knows (names in order), get the event `touch` at that time.
+  /// at this instant or a later one, is dated when these would be over, if that is within `most` s;
+  /// pairs that stay in touch and move on, which `stays` knows (names in order), get the event
+  /// `touch` at that time.
   void note(std::vector<Event>& events, const Stays& stays, double most);
   /// Whether the impacts of the last instant went on with their series.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
@@ -31,11 +32,12 @@ class BounceSeries {
     double interval = 0.0;  ///< s, before it; 0: none
     double ratio = 0.0;     ///< of the last two intervals
     int agreeing = 0;       ///< ratios in a row
+    double end = 0.0;  ///< s, when it would be over, by the last ratios that agreed; 0: they don't
     void add(double t);
-    [[nodiscard]] bool converges() const;
-    [[nodiscard]] double rest_of_it() const { return interval * ratio / (1.0 - ratio); }
+    [[nodiscard]] bool converges() const { return end > last; }
   };
-  void date_ends(std::vector<Event>& events, const Stays& stays, double most);
+  void date_touches(std::vector<Event>& events, const Stays& stays, double most) const;
+  void date_rests(std::vector<Event>& events, double most) const;
 
   std::map<NamePair, Series> of_pair_;
   bool goes_on_ = false;

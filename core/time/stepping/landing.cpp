@@ -11,8 +11,10 @@
 namespace wuerfel {
 namespace {
 
-/// What closes by no more g h in the second half doesn't bounce: what rests closes by half of one.
+/// What closes by no more g h in the second half doesn't bounce: what rests closes by half of one, by one where the first half
+/// was taken back.
 constexpr double bounce_steps = 1.0;
+constexpr double anew_bounce_steps = 1.5;
 
 }  // namespace
 
@@ -34,23 +36,27 @@ void Landing::find_touching(Stride& stride, Bookkeeping& book) {
   add_blows(*system_, removal_->near().start_boxes(), contacts_, *stride_);
 }
 
-/// What bounces is judged by the speed at which it closes: a blow that the placement has taken it from is left to the
-/// impact law.
+/// What bounces is judged by the speed at which it closes, what rubs in a blow by what is slid then and not before: a blow
+/// that the placement has taken is left to the impact law, and so is what others have done against it. Where rods pass blows
+/// on, what they did is not taken back, and only blows that bounce are.
 void Landing::strike_anew(State& state) {
   const std::vector<ContactId> near = sorted_ids(contacts_);
-  const auto bounces = [&](const Contact& c) {
+  const auto is_far = [&](const Contact& c) { return !std::ranges::binary_search(near, c.id()); };
+  const auto strikes = [&](const Contact& c, bool or_rubs) {
     const Contact& start = stride_->blows.at(c.id()).start;
-    return system_->surface(start.on, start.from).restitution > 0.0
-           && closing_speed(*system_, *stride_, start) > impact_steps
-           && std::ranges::binary_search(near, start.id());
+    const Material surface = system_->surface(start.on, start.from);
+    return (surface.restitution > 0.0 || (or_rubs && surface.friction > 0.0))
+           && closing_speed(*system_, *stride_, start) > impact_steps;
   };
   std::vector<Island> islands;
   find_islands(*system_, acting(*stride_), islands);
   for (const Island& island : islands) {
-    std::vector<Contact> bouncing = island.contacts;
-    std::erase_if(bouncing, [&](const Contact& c) { return !bounces(c); });
-    if (bouncing.empty()) continue;
-    take_back(bouncing, state);
+    const bool joined = !island.rods.empty();
+    std::vector<Contact> anew = island.contacts;
+    std::erase_if(anew,
+                  [&](const Contact& c) { return is_far(c) || (joined && !strikes(c, false)); });
+    if (std::ranges::none_of(anew, [&](const Contact& c) { return strikes(c, !joined); })) continue;
+    take_back(anew, state);
     // Without them others, as in a wedge, push too hard.
     if (is_faster_than_free(island, state)) take_back(island.contacts, state);
   }
@@ -95,7 +101,7 @@ bool Landing::is_faster_than_free(const Island& island, const State& state) cons
 }
 
 void Landing::strike(State& state, Bookkeeping& book) {
-  if (system_->bounces) strike_anew(state);
+  if (system_->bounces || system_->rubs) strike_anew(state);
   hit(state, book);
   resting_->find(*stride_, islands_, state);
 }
@@ -118,13 +124,16 @@ bool Landing::rests(const Island& island, State& state) {
 /// The impact law over all that touches, one island after the other.
 void Landing::hit(State& state, Bookkeeping& book) {
   find_islands(*system_, contacts_, islands_);
-  const double slow = bounce_steps * stride_->scales.gravity * stride_->h;
+  const double fall = stride_->scales.gravity * stride_->h;
+  const auto is_anew = [&](const Contact& c) { return stride_->blows.at(c.id()).taken_back; };
   for (const Island& island : islands_) {
     if (rests(island, state)) {
       ++book.cost.skipped_rest;
       continue;
     }
     if (!closes(*system_, state, island)) continue;
+    const bool anew = island.rods.empty() && std::ranges::any_of(island.contacts, is_anew);
+    const double slow = (anew ? anew_bounce_steps : bounce_steps) * fall;
     const IslandSolution after =
         impact(*system_, state, island, slow, work_->dynamics, work_->friction).after;
     keep_book(after, book);

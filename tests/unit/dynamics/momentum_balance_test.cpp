@@ -57,6 +57,16 @@ velocity = [1.097124196368993, 0.01881842648233878]
 mass = 0.1964589595535936
 )";
 
+/// The centre of mass is not where it is, to the last bit.
+constexpr const char* sliding_point_alone = R"(
+[[plane]]
+name = "floor"
+[[point]]
+position = [-0.35914476451378863, 0.0]
+velocity = [-1.5, 0.0]
+mass = 0.3
+)";
+
 constexpr const char* in_space = R"(
 gravity = [0.0, 0.0]
 [[cube]]
@@ -79,7 +89,11 @@ TEST(MomentumBalance, ClosesWhereNothingIsFixed) {
   EXPECT_LT(unexplained_in(in_space, 5.0), 1e-12);
 }
 
-TEST(MomentumBalance, ClosesOfAPointAlone) { EXPECT_LT(unexplained_in(point_alone, 0.4), 1e-12); }
+TEST(MomentumBalance, ClosesOfAPointAlone) {
+  EXPECT_LT(unexplained_in(point_alone, 0.4), 1e-12);
+  EXPECT_LT(unexplained_in(sliding_point_alone, 0.6), 1e-12);
+  EXPECT_LT(unexplained_in(sliding_point_alone, 0.6, Integrator::rattle), 1e-12);
+}
 
 TEST(MomentumBalance, ClosesInSteps) {
   EXPECT_LT(unexplained_in(in_space, 5.0, Integrator::rattle), 1e-12);
