@@ -75,12 +75,8 @@ void SampleRun::go() {
   const std::map<double, Look> all = looks();
   if (all.empty() && !sweep_.files.pictures()) return;
   Simulation simulation(scene_, {});
-  Pace pace(all.empty() ? 0.0 : all.rbegin()->first, scene_.cubes.size() + scene_.points.size(),
-            Integrator::automatic);
-  simulation.set_pulse([&] {
-    stop_.check();
-    pace.beat(simulation.reached());
-  });
+  const double end = all.empty() ? 0.0 : all.rbegin()->first;
+  watch_steps(simulation, scene_, Integrator::automatic, end, stop_);
   if (sweep_.files.pictures()) draw_first(simulation);
   for (const auto& [t, who] : all) {
     simulation.advance_to(t);
