@@ -38,17 +38,6 @@ std::string caption(const Scene& scene) {
   return fmt::format("{} {:.1f} %", verdict, 100.0 * statics.nearest()->margin);
 }
 
-std::vector<Case> spread_cases(const Plan& plan, long wanted) {
-  std::vector<Case> cases;
-  Manifest manifest(plan);
-  wanted = std::min(wanted, plan.cases());
-  while (std::optional<Case> one = manifest.next()) {
-    const long before = one->number * wanted / plan.cases();
-    if ((one->number + 1) * wanted / plan.cases() > before) cases.push_back(std::move(*one));
-  }
-  return cases;
-}
-
 StripLayout sheet_layout(const SheetChoice& choice, std::size_t cases) {
   const auto [width, height] = choice.size.value_or(PixelSize{1600, 1760});
   StripLayout layout = strip_layout(choice.grid, width, height, 1.0);
