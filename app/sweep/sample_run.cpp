@@ -62,8 +62,7 @@ std::map<double, SampleRun::Look> SampleRun::looks() const {
 
 void SampleRun::draw_first(const Simulation& simulation) {
   const Snapshot first = simulation.snapshot(request_);
-  const MotionSource source{scene_, {}, {}, request_, request_, {}, stop_};
-  pictures_.emplace(source, sweep_.files, first, *renderer_);
+  pictures_.emplace(scene_, sweep_.files, first, stop_, *renderer_);
   if (sweep_.files.first_frame) files_.push_back({".first.png", pictures_->frame(first)});
   if (sweep_.files.instance_mask) files_.push_back({".instance.png", pictures_->instances(first)});
   if (sweep_.files.violation_mask)
