@@ -162,13 +162,12 @@ Text Options::complaint(const Text& otherwise) const {
     for (const Text& name : option->get_lnames())
       names.push_back("--" + name);
   }
-  const std::vector<std::string_view> known(names.begin(), names.end());
   const std::vector<Text> unknown = app_->remaining();
   const auto dashed = std::ranges::find_if(
       unknown, [](const Text& text) { return text.size() > 1 && text.starts_with('-'); });
   if (dashed != unknown.end()) {
     const Text name = dashed->substr(0, dashed->find('='));
-    return fmt::format("there is no option {}{}", name, suggestion(name, known));
+    return fmt::format("there is no option {}{}", name, suggestion(name, names));
   }
   if (!unknown.empty()) return fmt::format("'{}' is one argument too many", unknown.front());
   return otherwise;

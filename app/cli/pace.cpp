@@ -1,5 +1,7 @@
 #include "app/cli/pace.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace wuerfel {
@@ -35,6 +37,20 @@ void Pace::beat(double reached) {
   }
   steps_ = 0;
   last_ = reached;
+}
+
+void watch_steps(Simulation& simulation,
+                 const Scene& scene,
+                 Integrator integrator,
+                 double end,
+                 const StopSignal& stop,
+                 Progress* progress) {
+  Pace pace(end, scene.cubes.size() + scene.points.size(), integrator);
+  simulation.set_pulse([&simulation, &stop, progress, end, pace]() mutable {
+    stop.check();
+    pace.beat(simulation.reached());
+    if (progress != nullptr) progress->reached(std::min(end, simulation.reached()));
+  });
 }
 
 }  // namespace wuerfel

@@ -4,7 +4,11 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "app/cli/progress.h"
+#include "app/cli/stop_signal.h"
+#include "core/scene/scene.h"
 #include "core/settings.h"
+#include "core/time/simulation.h"
 
 namespace wuerfel {
 
@@ -31,5 +35,14 @@ class Pace {
   long steps_ = 0;
   double last_ = 0.0;  // s, at the last look
 };
+
+/// After every step of a simulation on its way to `end` s signals, memory and pace are looked at, and it is told how far it
+/// is. All but the settings outlives the simulation's next advance.
+void watch_steps(Simulation& simulation,
+                 const Scene& scene,
+                 Integrator integrator,
+                 double end,
+                 const StopSignal& stop,
+                 Progress* progress = nullptr);
 
 }  // namespace wuerfel

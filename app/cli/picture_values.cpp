@@ -23,8 +23,7 @@ Enum find_name(std::string_view kind, std::string_view name) {
   const std::vector<std::string> names = choices<Enum>();
   const auto found = std::ranges::find(names, name);
   if (found != names.end()) return static_cast<Enum>(found - names.begin());
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  throw UsageError(fmt::format("unknown {} '{}'{}", kind, name, suggestion(name, known)));
+  throw UsageError(fmt::format("unknown {} '{}'{}", kind, name, suggestion(name, names)));
 }
 
 std::string_view trimmed(std::string_view text) {

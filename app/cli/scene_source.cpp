@@ -1,5 +1,6 @@
 #include "app/cli/scene_source.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/argument.h"
+#include "app/cli/exit_code.h"
 #include "app/cli/is_folder.h"
 #include "app/cli/shipped_scenes.h"
 #include "core/scene/scene_parser.h"
@@ -64,11 +66,8 @@ std::string read_file(const std::string& path) {
 }
 
 [[noreturn]] void unknown_source(const std::string& source) {
-  std::vector<std::string_view> names;
-  for (const ShippedScene& scene : shipped_scenes())
-    names.push_back(scene.name);
   throw SceneError(fmt::format("{}: no such file, and no shipped scene of that name{}", source,
-                               suggestion(source, names)));
+                               suggestion(source, shipped_scenes(), &ShippedScene::name)));
 }
 
 bool is_blank(const std::string& line) {
@@ -99,6 +98,18 @@ Scene parse(const SceneText& text, const std::vector<std::string>& overrides) {
 
 Scene read_scene(const SceneChoice& choice) {
   return parse(scene_text(choice.source), choice.overrides);
+}
+
+int moving_number(const Scene& scene, std::string_view option, const std::string& name) {
+  const std::size_t count = scene.cubes.size() + scene.points.size();
+  std::vector<std::string_view> known;
+  known.reserve(count);
+  for (std::size_t k = 0; k < count; ++k)
+    known.emplace_back(moving_name(scene, static_cast<int>(k)));
+  const auto at = std::ranges::find(known, name);
+  if (at != known.end()) return static_cast<int>(at - known.begin());
+  throw UsageError(
+      fmt::format("{}: there is no cube '{}'{}", option, name, suggestion(name, known)));
 }
 
 SceneQueue::SceneQueue(std::vector<std::string> sources) : sources_(std::move(sources)) {}

@@ -32,6 +32,9 @@ SceneText scene_text(const std::string& source);
 /// Throws SceneError.
 Scene parse(const SceneText& text, const std::vector<std::string>& overrides);
 
+/// The number of the cube or point that an option names. Throws UsageError where there is none.
+int moving_number(const Scene& scene, std::string_view option, const std::string& name);
+
 /// Scenes one by one. On standard input there may be one JSON scene a line, and no end in sight:
 /// each is handed out as soon as its line is there.
 class SceneQueue {

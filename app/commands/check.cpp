@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_groups.h"
@@ -162,18 +162,6 @@ std::string fastest_text(const Scene& scene, const Check& answer) {
                      acceleration_text(system.bodies[worst], answer.accelerations[worst]));
 }
 
-std::string moving_at_start(const Scene& scene) {
-  std::string names;
-  for (const SceneCube& cube : scene.cubes) {
-    if (!cube.velocity.isZero(0.0) || cube.spin != 0.0)
-      names += (names.empty() ? "" : ", ") + cube.name;
-  }
-  for (const ScenePoint& point : scene.points) {
-    if (!point.velocity.isZero(0.0)) names += (names.empty() ? "" : ", ") + point.name;
-  }
-  return names;
-}
-
 // The first part that fails, if any does alone.
 std::string cause_text(const Scene& scene, const MotionSettings& motion) {
   const StillScene still = stopped_scene(scene, motion);
@@ -214,7 +202,7 @@ std::string check_text(const Scene& scene, const MotionSettings& motion, const C
   if (answer.verdict == Verdict::falls || answer.verdict == Verdict::undecided)
     text += fastest_text(scene, answer);
   if (answer.verdict == Verdict::moves)
-    text += fmt::format("moving at the start: {}\n", moving_at_start(scene));
+    text += fmt::format("moving at the start: {}\n", fmt::join(moving_names(scene), ", "));
   text += friction_text(scene, answer);
   return text + contacts_text(scene, answer);
 }

@@ -57,10 +57,8 @@ std::string help_of(const std::string& program, const Command& family) {
 }
 
 [[noreturn]] void refuse(const std::string& name, std::span<const Command> family) {
-  std::vector<std::string_view> names;
-  std::ranges::transform(family, std::back_inserter(names), &Command::name);
   throw UsageError(fmt::format("there is no {} {}{}", name.starts_with('-') ? "option" : "command",
-                               name, suggestion(name, names)));
+                               name, suggestion(name, family, &Command::name)));
 }
 
 /// A line that begins with the name of a command of the family; `program` is what stood before it.

@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/argument.h"
@@ -26,13 +25,6 @@ struct ExplainOptions {
   bool json = false;
 };
 
-// Throws UsageError where it has no name that a picture can have.
-void require_picture(const std::string& name) {
-  require_no_stdout("-o", name);
-  if (!has_suffix(name, ".png") && !vector_format(lower_case(name)))
-    throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
-}
-
 void draw(const Scene& scene, const ExplainOptions& asked, Notes& notes) {
   StillOptions options = asked.still;
   options.picture.fit = Fit::instant;
@@ -42,11 +34,7 @@ void draw(const Scene& scene, const ExplainOptions& asked, Notes& notes) {
   Font font;
   const Still still = compose_still(scene, options, stop, font);
   note_labels_left_out(still.labels_left_out, notes);
-  if (const auto format = vector_format(lower_case(asked.output))) {
-    output.write(encode_vector_figure(still.page, *format, font, still.cells, still.texts));
-  } else {
-    output.write(encode_png(draw_still(still), still.origin, options.picture.encoder));
-  }
+  output.write(encode_still(still, asked.output, options.picture.encoder, font));
   output.finish();
 }
 
@@ -56,7 +44,8 @@ ExitCode explain(const ExplainOptions& asked, const Options& options) {
   if (!drawn) {
     note_idle(options, {"--size", "--theme"}, "without a picture, -o", notes);
   } else {
-    require_picture(asked.output);
+    require_no_stdout("-o", asked.output);
+    require_still_name(asked.output);
   }
   const Scene scene = read_scene(asked.scene);
   note_idle_solver(options, scene, notes);

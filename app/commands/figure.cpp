@@ -33,8 +33,7 @@ void require_still(const FigureOptions& asked) {
   const std::string& name = asked.output;
   if (name == "-" && isatty(STDOUT_FILENO) != 0)
     throw UsageError("-o: a picture is nothing for a terminal: name a file");
-  if (name != "-" && !has_suffix(name, ".png") && !vector_format(lower_case(name)))
-    throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
+  if (name != "-") require_still_name(name);
   const auto& strip = asked.still.strip;
   const double room =
       strip ? static_cast<double>(strip->columns) * static_cast<double>(strip->rows) : 1.0;
@@ -88,14 +87,6 @@ void note_small_print(const Still& still, const FigureOptions& asked, Notes& not
   notes.add(fmt::format("letters of {:.1f} pt on paper are hard to read: {}", points, remedy));
 }
 
-std::vector<std::uint8_t> encode(const Still& still, const FigureOptions& asked, Font& font) {
-  FigureTexts texts = still.texts;
-  texts.width_mm = asked.width_mm;
-  if (const auto format = vector_format(lower_case(asked.output)))
-    return encode_vector_figure(still.page, *format, font, still.cells, texts);
-  return encode_png(draw_still(still), still.origin, asked.still.picture.encoder);
-}
-
 ExitCode figure(const FigureOptions& asked, const Options& options) {
   require_still(asked);
   Notes notes;
@@ -137,7 +128,8 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   }
   if (!still.hint.empty()) notes.add(still.hint);
   note_small_print(still, asked, notes);
-  output.write(encode(still, asked, font));
+  output.write(
+      encode_still(still, asked.output, asked.still.picture.encoder, font, asked.width_mm));
   output.finish();
   return still.accuracy.verdict(notes);
 }

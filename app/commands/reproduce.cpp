@@ -144,10 +144,8 @@ ExitCode reproduce(const ReproduceOptions& options) {
     comparison = compare_images(*picture.image, again, options.limits);
     sentence = describe(comparison);
   } else {
-    FigureTexts texts = still.texts;
-    texts.width_mm = width_on_paper(picture.svg);
-    const auto again =
-        encode_vector_figure(still.page, VectorFormat::svg, font, still.cells, texts);
+    const auto again = encode_still(still, options.picture, still_options.picture.encoder, font,
+                                    width_on_paper(picture.svg));
     const std::string text(again.begin(), again.end());
     if (!options.output.empty()) write_text(options.output, text);
     const long line = first_difference(picture.svg, text);

@@ -128,16 +128,6 @@ void say_work(const Job& job, AnswerForm form) {
   if (!work.empty() && !job.asked.quiet && !form.one_line) say(fmt::format("wuerfel: {}\n", work));
 }
 
-/// What is looked at between the steps; all of it outlives the simulation's next advance.
-void watch_steps(
-    Simulation& simulation, const StopSignal& stop, Pace& pace, double end, Progress& progress) {
-  simulation.set_pulse([&simulation, &stop, &pace, end, &progress] {
-    stop.check();
-    pace.beat(simulation.reached());
-    progress.reached(std::min(end, simulation.reached()));
-  });
-}
-
 void note_labels(const RunBooks& books, Notes& notes) {
   const int left_out = books.labels_left_out();
   if (left_out > 0)
@@ -171,8 +161,7 @@ Answer run(Job job, AnswerForm form, Notes& notes) {
   const Stopwatch watch(form.one_line ? Stopwatch::Of::thread : Stopwatch::Of::process);
   const auto style = Progress::style_for_stderr(asked.quiet || form.one_line);
   Progress progress(style, "simulating", plan.end, "s");
-  Pace pace(plan.end, scene.cubes.size() + scene.points.size(), asked.motion.integrator);
-  watch_steps(simulation, stop, pace, plan.end, progress);
+  watch_steps(simulation, scene, asked.motion.integrator, plan.end, stop, &progress);
   AccuracyWatch accuracy(resumed.first_violation);
   const std::size_t first = repeat(job, resumed.moments, simulation, books);
   CheckpointKeeper keeper(asked, origin, std::move(resumed));

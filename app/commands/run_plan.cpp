@@ -4,14 +4,13 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
-#include "core/scene/suggestion.h"
+#include "app/cli/scene_source.h"
 
 namespace wuerfel {
 
@@ -50,14 +49,7 @@ std::optional<std::filesystem::path> place_of(const std::string& name) {
 // A camera has to find the body that it follows.
 void require_body(const Camera& camera, const Scene& scene) {
   if (camera.kind != Camera::Kind::follow) return;
-  std::vector<std::string_view> names;
-  for (const SceneCube& cube : scene.cubes)
-    names.push_back(cube.name);
-  for (const ScenePoint& point : scene.points)
-    names.push_back(point.name);
-  if (std::ranges::find(names, camera.body) != names.end()) return;
-  throw UsageError(
-      fmt::format("--view: there is no cube '{}'{}", camera.body, suggestion(camera.body, names)));
+  static_cast<void>(moving_number(scene, "--view", camera.body));
 }
 
 }  // namespace

@@ -30,10 +30,8 @@ ExitCode scenes(const std::string& name) {
     write_text("-", scene->text);
     return ExitCode::fine;
   }
-  std::vector<std::string_view> names;
-  for (const ShippedScene& scene : shipped_scenes())
-    names.push_back(scene.name);
-  throw UsageError(fmt::format("there is no scene '{}'{}", name, suggestion(name, names)));
+  throw UsageError(fmt::format("there is no scene '{}'{}", name,
+                               suggestion(name, shipped_scenes(), &ShippedScene::name)));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "app/cli/argument.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/scene_source.h"
 #include "app/cli/shipped_scenes.h"
 #include "app/output/statics.h"
 #include "core/scene/suggestion.h"
@@ -54,8 +55,8 @@ MarginRequest parse_margins(const std::string& text) {
   for (const std::string& part : split_list(text)) {
     const MarginName* margin = find_margin(part);
     if (margin == nullptr) {
-      constexpr std::array<std::string_view, 4> known{"tilt", "load", "shift", "move"};
-      throw UsageError(fmt::format("--margin: '{}' is unknown{}", part, suggestion(part, known)));
+      throw UsageError(fmt::format("--margin: '{}' is unknown{}", part,
+                                   suggestion(part, margin_names, &MarginName::name)));
     }
     request.*(margin->asked) = true;
   }
@@ -63,20 +64,9 @@ MarginRequest parse_margins(const std::string& text) {
 }
 
 std::vector<int> cubes_named(const Scene& scene, const std::vector<std::string>& names) {
-  std::vector<std::string_view> known;
-  for (const SceneCube& cube : scene.cubes)
-    known.emplace_back(cube.name);
-  for (const ScenePoint& point : scene.points)
-    known.emplace_back(point.name);
   std::vector<int> cubes;
-  for (const std::string& name : names) {
-    const auto at = std::ranges::find(known, name);
-    if (at == known.end()) {
-      throw UsageError(
-          fmt::format("--bodies: there is no cube '{}'{}", name, suggestion(name, known)));
-    }
-    cubes.push_back(static_cast<int>(at - known.begin()));
-  }
+  for (const std::string& name : names)
+    cubes.push_back(moving_number(scene, "--bodies", name));
   return cubes;
 }
 

@@ -1,5 +1,6 @@
 #include "app/commands/sweep.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
@@ -179,16 +180,14 @@ Action declare_template(Options& options) {
     names.emplace_back(one.engine);
   options.argument("ENGINE", join_choices(names), *engine);
   return [engine](const Stopwatch&) {
-    std::vector<std::string_view> known;
-    for (const EngineTemplate& one : engine_templates()) {
-      if (one.engine == *engine) {
-        write_text("-", one.text);
-        return ExitCode::fine;
-      }
-      known.push_back(one.engine);
+    const auto found = std::ranges::find(engine_templates(), *engine, &EngineTemplate::engine);
+    if (found == engine_templates().end()) {
+      throw UsageError(
+          fmt::format("there is no template for {}{}", *engine,
+                      suggestion(*engine, engine_templates(), &EngineTemplate::engine)));
     }
-    throw UsageError(
-        fmt::format("there is no template for {}{}", *engine, suggestion(*engine, known)));
+    write_text("-", found->text);
+    return ExitCode::fine;
   };
 }
 

@@ -30,10 +30,8 @@ Followed find_body(const std::string& name, const Snapshot& snapshot) {
     return {found->center, std::sqrt(found->size.x() * found->size.y())};
   const auto mass = std::ranges::find(snapshot.masses, name, &SnapshotMass::name);
   if (mass != snapshot.masses.end()) return {mass->position, 1.0};
-  std::vector<std::string_view> names;
-  for (const SnapshotBox& box : snapshot.boxes)
-    names.push_back(box.name);
-  throw UsageError(fmt::format("--view: there is no body '{}'{}", name, suggestion(name, names)));
+  throw UsageError(fmt::format("--view: there is no body '{}'{}", name,
+                               suggestion(name, snapshot.boxes, &SnapshotBox::name)));
 }
 
 }  // namespace

@@ -25,11 +25,6 @@ std::map<std::string, int> numbers_of(const Snapshot& snapshot) {
 /// By this share of an average times of frames and of looks may differ that are one.
 constexpr double rounding = 1e-6;
 
-bool is_same(const BodyState& a, const BodyState& b) {
-  return a.position == b.position && a.angle == b.angle && a.velocity == b.velocity
-         && a.spin == b.spin;
-}
-
 /// When the k-th look before a frame is; the 0-th is the frame itself.
 double look_time(double frame, double average, int k) {
   return frame - average * k / parts_of_average;
@@ -186,8 +181,7 @@ std::vector<double> FrameTaker::averaged_loads(double t) const {
 const FrameTaker::Seen& FrameTaker::see(const Simulation& simulation,
                                         const Moment& moment,
                                         const SnapshotRequest& request) {
-  if (moment.loaded != last_.loaded || !std::ranges::equal(moment.state, last_.state, is_same))
-    seen_.clear();
+  if (moment.loaded != last_.loaded || moment.state != last_.state) seen_.clear();
   last_ = moment;
   const auto seen = std::ranges::find(seen_, request, &Seen::request);
   if (seen != seen_.end()) return *seen;

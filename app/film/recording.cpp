@@ -24,12 +24,7 @@ AccuracyWatch MotionSource::show_frames(const std::function<void(const Snapshot&
   Simulation simulation(scene, motion);
   const double end = instants.empty() ? 0.0 : instants.back().t;
   Progress progress(style, "simulating", end, "s");
-  Pace pace(end, scene.cubes.size() + scene.points.size(), motion.integrator);
-  simulation.set_pulse([&] {
-    stop.check();
-    pace.beat(simulation.reached());
-    progress.reached(simulation.reached());
-  });
+  watch_steps(simulation, scene, motion.integrator, end, stop, &progress);
   FrameTaker taker(request, passing, back);
   AccuracyWatch accuracy;
   bool looked = false;

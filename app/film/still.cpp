@@ -177,10 +177,6 @@ FigureTexts texts_of(const Still& still, const Snapshot& first) {
   return texts;
 }
 
-}  // namespace
-
-namespace {
-
 /// What is known of a motion before it is drawn.
 struct Filmed {
   const Scene& scene;
@@ -270,6 +266,20 @@ Image draw_still(const Still& still) {
     paste(cell, placed.x, placed.y, image);
   }
   return image;
+}
+
+void require_still_name(const std::string& name) {
+  if (!has_suffix(name, ".png") && !vector_format(lower_case(name)))
+    throw UsageError(fmt::format("-o: '{}' does not end in .png, .svg or .pdf", name));
+}
+
+std::vector<std::uint8_t> encode_still(
+    const Still& still, const std::string& name, PngEncoder encoder, Font& font, double width_mm) {
+  const auto format = vector_format(lower_case(name));
+  if (!format) return encode_png(draw_still(still), still.origin, encoder);
+  FigureTexts texts = still.texts;
+  texts.width_mm = width_mm;
+  return encode_vector_figure(still.page, *format, font, still.cells, texts);
 }
 
 }  // namespace wuerfel

@@ -57,4 +57,14 @@ Still compose_still(const Scene& scene,
 /// The pixels.
 Image draw_still(const Still& still);
 
+/// Throws UsageError unless the name ends in .png, .svg or .pdf.
+void require_still_name(const std::string& name);
+
+/// The file of that name, of any other a PNG; `width_mm` on paper, 0: by the pixels.
+std::vector<std::uint8_t> encode_still(const Still& still,
+                                       const std::string& name,
+                                       PngEncoder encoder,
+                                       Font& font,
+                                       double width_mm = 0.0);
+
 }  // namespace wuerfel

@@ -23,20 +23,11 @@ std::string_view kind_name(ForceKind kind) {
   return "?";
 }
 
-// Names of bodies may contain what CSV uses itself.
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char c : name)
-    text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + '"';
-}
-
 /// Of a box, or of a plane behind them; points are not known.
 std::string name_of(const Snapshot& snapshot, int body) {
   const int boxes = static_cast<int>(snapshot.boxes.size());
   if (body < 0) return {};
-  return quoted(body < boxes ? snapshot.boxes[body].name : snapshot.planes[body - boxes].name);
+  return csv_cell(body < boxes ? snapshot.boxes[body].name : snapshot.planes[body - boxes].name);
 }
 
 /// A row of the table of forces. Adding 0 turns -0 into 0.
@@ -52,6 +43,14 @@ std::string force_row(const Snapshot& snapshot,
 
 }  // namespace
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 Tables::Tables(const std::string& states, const std::string& forces, const std::string& events) {
   if (!states.empty()) states_.emplace(states).write("t,body,x,y,theta,vx,vy,omega\n");
   if (!forces.empty()) forces_.emplace(forces).write("t,on,from,kind,x,y,fx,fy,kkt_residual\n");
@@ -64,7 +63,7 @@ void Tables::add_states(double t, const Scene& scene, const State& states) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     const BodyState& s = states[i];
     states_->write(fmt::format("{},{},{},{},{},{},{},{}\n", t,
-                               quoted(moving_name(scene, static_cast<int>(i))), s.position.x(),
+                               csv_cell(moving_name(scene, static_cast<int>(i))), s.position.x(),
                                s.position.y(), s.angle, s.velocity.x(), s.velocity.y(), s.spin));
   }
 }
@@ -87,8 +86,8 @@ void Tables::add_links(const Snapshot& snapshot) {
     const auto write = [&](int end, const Vec2& place, const Vec2& force) {
       const std::string& on = link.bodies.at(end);
       if (on.empty()) return;
-      const std::string from = quoted(link.bodies.at(1 - end));
-      forces_->write(force_row(snapshot, quoted(on), from, kind, place, force));
+      const std::string from = csv_cell(link.bodies.at(1 - end));
+      forces_->write(force_row(snapshot, csv_cell(on), from, kind, place, force));
     };
     write(0, link.a, link.force);
     write(1, link.b, -link.force);

@@ -12,6 +12,9 @@
 
 namespace wuerfel {
 
+/// A text as a cell of a table: what CSV uses itself is quoted [RFC 4180].
+std::string csv_cell(const std::string& text);
+
 /// The tables that were asked for: file names, empty where not wanted.
 class Tables {
  public:

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output/json_values.h"
+#include "app/words/naming.h"
 
 namespace wuerfel {
 
@@ -12,27 +13,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json names(const StillScene& still, const std::vector<int>& bodies) {
-  Json list = Json::array();
-  for (const int body : bodies)
-    list.push_back(still.system.body(body).name);
-  return list;
-}
-
 Json cause_json(const StillScene& still, const Cause& cause) {
-  return {{"part", names(still, cause.part.cubes)},
-          {"on", names(still, cause.on)},
+  return {{"part", names_of(still, cause.part.cubes)},
+          {"on", names_of(still, cause.on)},
           {"corner", vector_json(cause.corner)},
           {"outside", cause.outside ? Json(*cause.outside) : Json(nullptr)}};
 }
 
 Json part_json(const StillScene& still, const MovingPart& part) {
-  return {{"part", names(still, part.cubes)},
+  return {{"part", names_of(still, part.cubes)},
           {"turn", part.turn > 0   ? "left"
                    : part.turn < 0 ? "right"
                                    : "none"},
           {"pivot", vector_json(part.pivot)},
-          {"opens", names(still, part.opens)},
+          {"opens", names_of(still, part.opens)},
           {"work_share", part.work_share}};
 }
 

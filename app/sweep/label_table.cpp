@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/output/tables.h"
 #include "app/sweep/npy.h"
 
 namespace wuerfel {
@@ -19,15 +20,6 @@ using Cells = std::vector<Json>;
 std::string text_of(const Json& cell) {
   if (cell.is_null()) return "";
   return cell.is_string() ? cell.get<std::string>() : cell.dump();
-}
-
-// [RFC 4180]
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text)
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
 }
 
 template <class Is>
@@ -86,11 +78,11 @@ void LabelTable::add(const Json& sample) {
 std::string LabelTable::csv() const {
   std::string text;
   for (const Column& column : columns_)
-    text += (text.empty() ? "" : ",") + quoted(column.name);
+    text += (text.empty() ? "" : ",") + csv_cell(column.name);
   text += '\n';
   for (std::size_t row = 0; row < columns_.front().cells.size(); ++row) {
     for (std::size_t c = 0; c < columns_.size(); ++c)
-      text += (c > 0 ? "," : "") + quoted(text_of(columns_[c].cells[row]));
+      text += (c > 0 ? "," : "") + csv_cell(text_of(columns_[c].cells[row]));
     text += '\n';
   }
   return text;

@@ -1,5 +1,6 @@
 #include "app/sweep/plan.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -117,6 +118,17 @@ std::optional<Case> Manifest::next() {
   std::string line;
   if (!std::getline(file_, line)) return std::nullopt;
   return case_of(plan_.sweep(), line);
+}
+
+std::vector<Case> spread_cases(const Plan& plan, long wanted) {
+  std::vector<Case> cases;
+  Manifest manifest(plan);
+  wanted = std::min(wanted, plan.cases());
+  while (std::optional<Case> one = manifest.next()) {
+    const long before = one->number * wanted / plan.cases();
+    if ((one->number + 1) * wanted / plan.cases() > before) cases.push_back(std::move(*one));
+  }
+  return cases;
 }
 
 }  // namespace wuerfel

@@ -89,4 +89,7 @@ class Manifest {
   std::ifstream file_;
 };
 
+/// So many cases of a plan, evenly spread; all where it has no more.
+std::vector<Case> spread_cases(const Plan& plan, long wanted);
+
 }  // namespace wuerfel

@@ -8,19 +8,6 @@
 
 namespace wuerfel {
 
-namespace {
-
-// Scales and view that fit the first frame alone.
-PictureOptions fit_to(const PictureOptions& options,
-                      const MotionSource& source,
-                      const Snapshot& first) {
-  Recording motion(source);
-  motion.add(first);
-  return fit_to_motion(options, motion);
-}
-
-}  // namespace
-
 PictureOptions picture_options(const SampleFiles& files) {
   constexpr double wider = 0.8;  // zoom: room for what falls
   PictureOptions options;
@@ -38,6 +25,16 @@ PictureOptions picture_options(const SampleFiles& files) {
   return options;
 }
 
+PictureOptions fit_to_first(const PictureOptions& options,
+                            const Scene& scene,
+                            const Snapshot& first,
+                            const StopSignal& stop) {
+  const MotionSource source{scene, {}, {}, {}, {}, {}, stop};
+  Recording motion(source);
+  motion.add(first);
+  return fit_to_motion(options, motion);
+}
+
 Renderer& Renderers::mine() {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<Renderer>& renderer = all_[std::this_thread::get_id()];
@@ -45,15 +42,16 @@ Renderer& Renderers::mine() {
   return *renderer;
 }
 
-SamplePictures::SamplePictures(const MotionSource& source,
+SamplePictures::SamplePictures(const Scene& scene,
                                const SampleFiles& files,
                                const Snapshot& first,
+                               const StopSignal& stop,
                                Renderer& renderer)
     : renderer_(renderer),
-      fitted_(fit_to(picture_options(files), source, first)),
+      fitted_(fit_to_first(picture_options(files), scene, first, stop)),
       style_(make_style(fitted_.theme)),
       frame_(frame_options(fitted_)),
-      scene_(normalised_scene(source.scene)) {}
+      scene_(normalised_scene(scene)) {}
 
 const Image& SamplePictures::pixels(const Snapshot& snapshot) {
   renderer_.draw(

@@ -34,9 +34,10 @@ class Renderers {
 /// that no picture tells what will happen.
 class SamplePictures {
  public:
-  SamplePictures(const MotionSource& source,
+  SamplePictures(const Scene& scene,
                  const SampleFiles& files,
                  const Snapshot& first,
+                 const StopSignal& stop,
                  Renderer& renderer);
 
   /// A PNG file that carries its origin, as those of `figure`.
@@ -61,5 +62,10 @@ class SamplePictures {
 
 /// How a sweep's pictures look.
 PictureOptions picture_options(const SampleFiles& files);
+/// Scales and view that fit the first frame of a scene alone.
+PictureOptions fit_to_first(const PictureOptions& options,
+                            const Scene& scene,
+                            const Snapshot& first,
+                            const StopSignal& stop);
 
 }  // namespace wuerfel

@@ -62,8 +62,7 @@ std::map<double, SampleRun::Look> SampleRun::looks() const {
 
 void SampleRun::draw_first(const Simulation& simulation) {
   const Snapshot first = simulation.snapshot(request_);
-  const MotionSource source{scene_, {}, {}, request_, request_, {}, stop_};
-  pictures_.emplace(source, sweep_.files, first, *renderer_);
+  pictures_.emplace(scene_, sweep_.files, first, stop_, *renderer_);
   if (sweep_.files.first_frame) files_.push_back({".first.png", pictures_->frame(first)});
   if (sweep_.files.instance_mask) files_.push_back({".instance.png", pictures_->instances(first)});
   if (sweep_.files.violation_mask)
@@ -75,12 +74,8 @@ void SampleRun::go() {
   const std::map<double, Look> all = looks();
   if (all.empty() && !sweep_.files.pictures()) return;
   Simulation simulation(scene_, {});
-  Pace pace(all.empty() ? 0.0 : all.rbegin()->first, scene_.cubes.size() + scene_.points.size(),
-            Integrator::automatic);
-  simulation.set_pulse([&] {
-    stop_.check();
-    pace.beat(simulation.reached());
-  });
+  const double end = all.empty() ? 0.0 : all.rbegin()->first;
+  watch_steps(simulation, scene_, Integrator::automatic, end, stop_);
   if (sweep_.files.pictures()) draw_first(simulation);
   for (const auto& [t, who] : all) {
     simulation.advance_to(t);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "app/film/origin.h"
-#include "app/film/recording.h"
 #include "app/sweep/sample_pictures.h"
 #include "app/sweep/statics.h"
 #include "core/scene/scene_parser.h"
@@ -20,12 +19,8 @@ DrawList first_frame(const Scene& scene,
                      const StopSignal& stop,
                      Font& font) {
   const Simulation simulation(scene, {});
-  const SnapshotRequest request = snapshot_request(options, scene.cubes.size());
-  const Snapshot first = simulation.snapshot(request);
-  const MotionSource source{scene, {}, {}, request, request, {}, stop};
-  Recording motion(source);
-  motion.add(first);
-  const PictureOptions fitted = fit_to_motion(options, motion);
+  const Snapshot first = simulation.snapshot(snapshot_request(options, scene.cubes.size()));
+  const PictureOptions fitted = fit_to_first(options, scene, first, stop);
   return compose_frame(first, view_of(fitted, first), make_style(fitted.theme),
                        frame_options(fitted), font);
 }
@@ -36,17 +31,6 @@ std::string caption(const Scene& scene) {
   std::string verdict(to_string(statics.check().verdict));
   if (!statics.nearest()) return verdict;
   return fmt::format("{} {:.1f} %", verdict, 100.0 * statics.nearest()->margin);
-}
-
-std::vector<Case> spread_cases(const Plan& plan, long wanted) {
-  std::vector<Case> cases;
-  Manifest manifest(plan);
-  wanted = std::min(wanted, plan.cases());
-  while (std::optional<Case> one = manifest.next()) {
-    const long before = one->number * wanted / plan.cases();
-    if ((one->number + 1) * wanted / plan.cases() > before) cases.push_back(std::move(*one));
-  }
-  return cases;
 }
 
 StripLayout sheet_layout(const SheetChoice& choice, std::size_t cases) {

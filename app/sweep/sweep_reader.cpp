@@ -224,12 +224,11 @@ class SweepReader {
     sweep_.split.shares = {
         {"train", train}, {"validation", split.validation}, {"test", split.test}};
     for (const HeldOutEntry& entry : split.held_out) {
-      std::vector<std::string_view> known;
-      for (const Variable& variable : sweep_.variables)
-        known.push_back(variable.key);
-      if (std::ranges::find(known, entry.key) == known.end()) {
+      const std::vector<Variable>& variables = sweep_.variables;
+      if (std::ranges::find(variables, entry.key, &Variable::key) == variables.end()) {
         fail(source_, entry.origin, "key",
-             fmt::format("{} does not vary{}", entry.key, suggestion(entry.key, known)));
+             fmt::format("{} does not vary{}", entry.key,
+                         suggestion(entry.key, variables, &Variable::key)));
       }
       sweep_.split.held_out.push_back({entry.key, entry.values.texts});
     }

@@ -26,15 +26,12 @@ namespace fs = std::filesystem;
 
 // Which cases are looked at.
 std::vector<Case> chosen_cases(const Plan& plan, const VerifyChoice& choice) {
+  if (choice.id.empty())
+    return spread_cases(plan, choice.sample > 0 ? choice.sample : plan.cases());
   std::vector<Case> cases;
   Manifest manifest(plan);
-  const long wanted = choice.sample > 0 ? std::min(choice.sample, plan.cases()) : plan.cases();
-  while (std::optional<Case> one = manifest.next()) {
-    const bool is_asked = one->id == choice.id;
-    const long before = one->number * wanted / plan.cases();
-    const bool is_spread = (one->number + 1) * wanted / plan.cases() > before;
-    if (choice.id.empty() ? is_spread : is_asked) cases.push_back(std::move(*one));
-  }
+  while (std::optional<Case> one = manifest.next())
+    if (one->id == choice.id) cases.push_back(std::move(*one));
   if (cases.empty()) throw UsageError(fmt::format("there is no sample {}", choice.id));
   return cases;
 }

@@ -178,15 +178,6 @@ std::optional<TiltMargin> largest_tilt(const StillScene& still, Sliding sliding)
   return is_empty(range) ? std::nullopt : std::optional(tilt_angles(range));
 }
 
-std::vector<std::string> moving_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const SceneCube& cube : scene.cubes)
-    if (!cube.velocity.isZero(0.0) || cube.spin != 0.0) names.push_back(cube.name);
-  for (const ScenePoint& point : scene.points)
-    if (!point.velocity.isZero(0.0)) names.push_back(point.name);
-  return names;
-}
-
 void tell_motion(const std::vector<std::string>& names,
                  Language language,
                  std::vector<std::string>& text) {
@@ -195,6 +186,15 @@ void tell_motion(const std::vector<std::string>& names,
 }
 
 }  // namespace
+
+std::vector<std::string> moving_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const SceneCube& cube : scene.cubes)
+    if (!cube.velocity.isZero(0.0) || cube.spin != 0.0) names.push_back(cube.name);
+  for (const ScenePoint& point : scene.points)
+    if (!point.velocity.isZero(0.0)) names.push_back(point.name);
+  return names;
+}
 
 std::vector<std::string> mechanism_sentences(const Explanation& e, Language language) {
   std::vector<std::string> text;

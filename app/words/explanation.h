@@ -29,6 +29,9 @@ std::vector<std::string> sentences(const Scene& scene,
                                    const Explanation& explanation,
                                    Language language);
 
+/// Cubes and points that move from the start.
+std::vector<std::string> moving_names(const Scene& scene);
+
 /// How all moves together where no part fails alone.
 std::vector<std::string> mechanism_sentences(const Explanation& explanation, Language language);
 /// One cause, and one fix, in a sentence.

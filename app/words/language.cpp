@@ -51,7 +51,6 @@ constexpr std::array templates{
              "{to_right} to the right.",
              "Könnte nichts rutschen, stünde es bis zu einer Neigung von {to_left} nach links und "
              "{to_right} nach rechts."},
-    Template{Phrase::no_tilt, "No tilt makes it stand.", "Kein Neigen bringt es zum Stehen."},
     Template{Phrase::any_tilt, "any angle", "jedem Winkel"},
     Template{Phrase::tips,
              "{part} tips to the {side} over {corner}: its centre of mass is {length} outside.",

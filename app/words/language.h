@@ -25,7 +25,6 @@ enum class Phrase {
   no_weakest,
   tilt_given,
   tilt,
-  no_tilt,
   any_tilt,
   tips,
   tip,

@@ -47,37 +47,61 @@ CoulombSolver& FrictionDynamics::solver_of(const Island& island, Solvers& solver
   return *solver;
 }
 
-IslandSolution FrictionDynamics::read(const State& state,
-                                      const Island& island,
-                                      const CoulombResult& result) const {
+IslandSolution read_solution(const ProgramBuilder& builder,
+                             const State& state,
+                             const Island& island,
+                             const std::vector<double>& x,
+                             const std::vector<double>& multiplier) {
   IslandSolution solution;
-  solution.status = result.status;
-  solution.residual = result.residual.worst();
-  solution.friction_inexact = result.inexact();
-  solution.iterations = result.factorisations;
   solution.forces.assign(island.contacts.size(), 0.0);
   solution.tangential.assign(island.contacts.size(), 0.0);
   solution.slacks.assign(island.contacts.size(), unbounded);
   solution.slips.assign(island.contacts.size(), 0.0);
   solution.rods.assign(island.rods.size(), 0.0);
-  const QuadraticProgram& program = builder_.program();
-  const bool known = static_cast<int>(result.x.size()) == program.unknowns();
-  solution.twists = builder_.twists(state, island, known ? result.x : program.target);
+  const QuadraticProgram& program = builder.program();
+  const bool known = static_cast<int>(x.size()) == program.unknowns();
+  solution.twists = builder.twists(state, island, known ? x : program.target);
   if (!known) return solution;
-  std::copy_n(result.multiplier.begin() + builder_.first_rod_row(), solution.rods.size(),
+  std::copy_n(multiplier.begin() + builder.first_rod_row(), solution.rods.size(),
               solution.rods.begin());
+  const FrictionProgram friction = builder.friction_program();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const int n = builder.friction_contact()[k];
+    if (n < 0) continue;
+    const FrictionContact& contact = friction.contacts[n];
+    solution.forces[k] = multiplier[contact.normal];
+    solution.slacks[k] = program.slack(contact.normal, x);
+    if (contact.tangent < 0) continue;
+    solution.slips[k] = program.slack(contact.tangent, x);
+    solution.tangential[k] = multiplier[contact.tangent];
+  }
+  return solution;
+}
+
+IslandSolution read_solution(const ProgramBuilder& builder,
+                             const State& state,
+                             const Island& island,
+                             const CoulombResult& result) {
+  IslandSolution solution = read_solution(builder, state, island, result.x, result.multiplier);
+  solution.status = result.status;
+  solution.residual = result.residual.worst();
+  solution.friction_inexact = result.inexact();
+  solution.iterations = result.factorisations;
+  return solution;
+}
+
+/// No force leaves its cone by rounding.
+IslandSolution FrictionDynamics::read(const State& state,
+                                      const Island& island,
+                                      const CoulombResult& result) const {
+  IslandSolution solution = read_solution(builder_, state, island, result);
   const FrictionProgram friction = builder_.friction_program();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const int n = builder_.friction_contact()[k];
     if (n < 0) continue;
-    const FrictionContact& contact = friction.contacts[n];
-    solution.forces[k] = std::max(0.0, result.multiplier[contact.normal]);
-    solution.slacks[k] = program.slack(contact.normal, result.x);
-    if (contact.tangent >= 0) {
-      solution.slips[k] = program.slack(contact.tangent, result.x);
-      const double most = contact.mu * solution.forces[k];
-      solution.tangential[k] = std::clamp(result.multiplier[contact.tangent], -most, most);
-    }
+    solution.forces[k] = std::max(0.0, solution.forces[k]);
+    const double most = friction.contacts[n].mu * solution.forces[k];
+    solution.tangential[k] = std::clamp(solution.tangential[k], -most, most);
   }
   return solution;
 }

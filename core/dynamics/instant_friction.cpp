@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/dynamics/friction.h"
 #include "core/dynamics/missed_programs.h"
 #include "core/dynamics/verdict.h"
 #include "core/qp/coulomb/coulomb_stages.h"
@@ -16,48 +17,12 @@ namespace {
 constexpr int newton_factorisations = 8;
 constexpr int seeds_from_open = 3;
 
-void read_forces(const ProgramBuilder& builder,
-                 const std::vector<double>& x,
-                 const std::vector<double>& multiplier,
-                 IslandSolution& solution) {
-  const FrictionProgram friction = builder.friction_program();
-  std::copy_n(multiplier.begin() + builder.first_rod_row(), solution.rods.size(),
-              solution.rods.begin());
-  for (std::size_t k = 0; k < solution.forces.size(); ++k) {
-    const int n = builder.friction_contact()[k];
-    if (n < 0) continue;
-    const FrictionContact& contact = friction.contacts[n];
-    solution.forces[k] = multiplier[contact.normal];
-    if (contact.tangent >= 0) solution.tangential[k] = multiplier[contact.tangent];
-    solution.slacks[k] = friction.program.slack(contact.normal, x);
-  }
-}
-
-/// Of a point x of the builder's program; of none, free fall without forces.
-IslandSolution read(const ProgramBuilder& builder,
-                    const State& state,
-                    const Island& island,
-                    const std::vector<double>& x,
-                    const std::vector<double>& multiplier) {
-  const QuadraticProgram& program = builder.program();
-  IslandSolution solution;
-  const std::size_t contacts = island.contacts.size();
-  solution.forces.assign(contacts, 0.0);
-  solution.tangential.assign(contacts, 0.0);
-  solution.slacks.assign(contacts, unbounded);
-  solution.rods.assign(island.rods.size(), 0.0);
-  const bool known = static_cast<int>(x.size()) == program.unknowns();
-  solution.twists = builder.twists(state, island, known ? x : program.target);
-  if (known) read_forces(builder, x, multiplier, solution);
-  return solution;
-}
-
 IslandSolution equilibrium(const ProgramBuilder& builder,
                            const State& state,
                            const Island& island,
                            const std::vector<double>& multiplier) {
   const std::vector<double> zero(builder.program().unknowns(), 0.0);
-  IslandSolution solution = read(builder, state, island, zero, multiplier);
+  IslandSolution solution = read_solution(builder, state, island, zero, multiplier);
   solution.twists.assign(island.cubes.size(), {});
   solution.residual = coulomb_residual(builder.friction_program(), zero, multiplier).worst();
   solution.status =
@@ -70,12 +35,7 @@ IslandSolution exact_law(const ProgramBuilder& builder, const State& state, cons
   CoulombSolver().solve(builder.friction_program(), result);
   let_stand(builder.friction_program(), builder.still_blocks(state, island), result);
   if (result.inexact()) MissedProgramListener::tell(builder.friction_program());
-  IslandSolution solution = read(builder, state, island, result.x, result.multiplier);
-  solution.status = result.status;
-  solution.residual = result.residual.worst();
-  solution.friction_inexact = result.inexact();
-  solution.iterations = result.factorisations;
-  return solution;
+  return read_solution(builder, state, island, result);
 }
 
 /// The multipliers that the law has at the contacts' forces of another solution and its slips.

@@ -17,43 +17,38 @@ constexpr double piled_up = 1e-14;
 /// What falls by less than so many times what is uncertain may as well stand.
 constexpr double certain_times = 100.0;
 
-/// The most that forces which are wrong by their residual may change these shares by, one per cube.
-std::vector<double> uncertain_shares(const System& system, const InstantForces& found, double g) {
-  std::vector<double> shares(system.cubes, 0.0);
-  for (const IslandForces& of : found.islands) {
-    const bool shown = !of.forces.force.empty();
-    const std::vector<double>& forces = shown ? of.forces.force : of.solution.forces;
-    const double residual = std::max(bits, shown ? of.forces.residual : of.solution.residual);
-    const auto add = [&](int cube, const Vec2& arm, const Vec2& force) {
-      if (!system.is_cube(cube)) return;
-      const Body& body = system.body(cube);
-      const Twist a{force / body.mass, body.inertia > 0.0 ? det(arm, force) / body.inertia : 0.0};
-      shares[cube] += residual * size_of(body, a) / g;
-    };
-    for (std::size_t k = 0; k < forces.size(); ++k) {
-      const Contact& c = of.island.contacts[k];
-      add(c.on, c.arm_k, forces[k] * c.normal);
-      add(c.from, c.arm_i + c.alpha * (c.arm_j - c.arm_i), forces[k] * c.normal);
-    }
-  }
-  return shares;
-}
+/// What the residual of forces leaves open of a cube's share of g.
+struct Doubt {
+  /// The most that forces which are wrong by it may change the share by.
+  double uncertain = 0.0;
+  /// What it leaves of the largest force of the island, as a share of the weight: so little may as well come from far away.
+  double carried = 0.0;
+};
 
-/// What the residual leaves of the largest force of its island, as a share of each cube's weight: so little may as well
-/// come from far away.
-std::vector<double> carried_shares(const System& system, const InstantForces& found, double g) {
-  std::vector<double> shares(system.cubes, 0.0);
+/// One per cube.
+std::vector<Doubt> doubts_of(const System& system, const InstantForces& found, double g) {
+  std::vector<Doubt> doubts(system.cubes);
   for (const IslandForces& of : found.islands) {
     const bool shown = !of.forces.force.empty();
     const std::vector<double>& forces = shown ? of.forces.force : of.solution.forces;
     const double residual = std::max(bits, shown ? of.forces.residual : of.solution.residual);
     double largest = 0.0;
-    for (const double force : forces)
-      largest = std::max(largest, force);
+    const auto add = [&](int cube, const Vec2& arm, const Vec2& force) {
+      if (!system.is_cube(cube)) return;
+      const Body& body = system.body(cube);
+      const Twist a{force / body.mass, body.inertia > 0.0 ? det(arm, force) / body.inertia : 0.0};
+      doubts[cube].uncertain += residual * size_of(body, a) / g;
+    };
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      const Contact& c = of.island.contacts[k];
+      add(c.on, c.arm_k, forces[k] * c.normal);
+      add(c.from, c.arm_i + c.alpha * (c.arm_j - c.arm_i), forces[k] * c.normal);
+      largest = std::max(largest, forces[k]);
+    }
     for (const int cube : of.island.cubes)
-      shares[cube] = residual * largest / (system.body(cube).mass * g);
+      doubts[cube].carried = residual * largest / (system.body(cube).mass * g);
   }
-  return shares;
+  return doubts;
 }
 
 /// How far cubes are from rest, and how well that is known.
@@ -69,18 +64,18 @@ Unrest unrest_of(const System& system,
                  std::span<const char> watched) {
   const double g =
       system.gravity.isZero(0.0) ? scales_of(system, state).gravity : system.gravity.norm();
-  const std::vector<double> uncertain = uncertain_shares(system, found, g);
-  const std::vector<double> carried = carried_shares(system, found, g);
+  const std::vector<Doubt> doubts = doubts_of(system, found, g);
   Unrest unrest;
   for (int i = 0; i < system.cubes; ++i) {
     if (!watched.empty() && watched[i] == 0) continue;
+    const auto& [uncertain, carried] = doubts[i];
     const double share = size_of(system.body(i), found.accelerations[i]) / g;
     unrest.most = std::max(unrest.most, share);
     unrest.certain =
         unrest.certain
-        || (share >= falls_above && share > certain_times * std::max(uncertain[i], carried[i]));
+        || (share >= falls_above && share > certain_times * std::max(uncertain, carried));
     // Where forces balance to their last bits nothing has piled up, however large they are.
-    if (found.residual > piled_up) unrest.uncertain = std::max(unrest.uncertain, uncertain[i]);
+    if (found.residual > piled_up) unrest.uncertain = std::max(unrest.uncertain, uncertain);
   }
   return unrest;
 }

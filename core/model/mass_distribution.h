@@ -21,8 +21,4 @@ inline constexpr int points_per_cube = 5;
 /// large.
 std::array<PointMass, points_per_cube> mass_distribution(const Vec2& size, double mass);
 
-/// The finer variant: 3 x 3 points with the tensor Simpson weights 1:4:16, exact as well since the
-/// rule integrates cubics. Row by row from the lower left.
-std::array<PointMass, 9> simpson_mass_distribution(const Vec2& size, double mass);
-
 }  // namespace wuerfel

@@ -14,6 +14,7 @@ struct BodyState {
   double angle = 0.0;            ///< rad, counter-clockwise
   Vec2 velocity = Vec2::Zero();  ///< m/s, of the centre
   double spin = 0.0;             ///< rad/s
+  bool operator==(const BodyState&) const = default;
 };
 
 /// To the bit.

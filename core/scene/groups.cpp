@@ -51,12 +51,9 @@ BodyRef find_body(const BodyNames& names,
                   const SceneSource& source) {
   const auto found = names.find(name);
   if (found != names.end()) return found->second;
-  std::vector<std::string_view> known;
-  for (const auto& [other, body] : names) {
-    known.push_back(other);
-  }
   source.fail(place_of(origin, key), fmt::format("{}.{}", origin.path, key),
-              fmt::format("there is no body \"{}\"{}", name, suggestion(name, known)));
+              fmt::format("there is no body \"{}\"{}", name,
+                          suggestion(name, names, &BodyNames::value_type::first)));
 }
 
 Place place_of(const Origin& origin, std::string_view key) {

@@ -110,8 +110,7 @@ class Override {
       const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), number);
       const bool valid = error == std::errc() && stop == name.data() + name.size();
       if (!valid || number < 1 || number > items->size()) {
-        const std::vector<std::string_view> known(names.begin(), names.end());
-        fail(fmt::format("there is no {} \"{}\"{}", kind, name, suggestion(name, known)));
+        fail(fmt::format("there is no {} \"{}\"{}", kind, name, suggestion(name, names)));
       }
       found = number - 1;
     }

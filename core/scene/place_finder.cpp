@@ -108,12 +108,9 @@ const BodyPart* PlaceFinder::split_part(std::string& name,
   if (owner == names_.end()) return nullptr;
   name = body;
   if (found != parts.end()) return &*found;
-  std::vector<std::string_view> known;
-  known.reserve(std::size(parts));
-  for (const BodyPart& part : parts)
-    known.push_back(part.name);
   fail_at(origin, key,
-          fmt::format("\"{}\" has no part \"{}\"{}", body, wanted, suggestion(wanted, known)));
+          fmt::format("\"{}\" has no part \"{}\"{}", body, wanted,
+                      suggestion(wanted, parts, &BodyPart::name)));
 }
 
 }  // namespace wuerfel

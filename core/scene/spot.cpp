@@ -166,13 +166,9 @@ void read(const Spot& spot, const Limits& /*limits*/, Rgb& target) {
   const auto* text = std::get_if<std::string>(&spot.value.data);
   const std::optional<Rgb> color = text == nullptr ? std::nullopt : parse_color(*text);
   if (!color) {
-    std::vector<std::string_view> names;
-    for (const NamedColor& named : okabe_ito()) {
-      names.push_back(named.name);
-    }
-    spot.fail(fmt::format("must be \"#rrggbb\" or the name of a colour, not {}{}",
-                          describe_value(spot.value),
-                          text == nullptr ? "" : suggestion(*text, names)));
+    spot.fail(fmt::format(
+        "must be \"#rrggbb\" or the name of a colour, not {}{}", describe_value(spot.value),
+        text == nullptr ? "" : suggestion(*text, okabe_ito(), &NamedColor::name)));
   }
   target = *color;
 }

@@ -16,6 +16,8 @@ namespace {
 
 /// Cubes that are looked at: of large piles those that fail first.
 constexpr int most_cubes = 24;
+/// Moves, and forces, of one island.
+constexpr std::size_t most_fixes = 3;
 /// Forces, and places as shares of a side, that differ by less are the same.
 constexpr double same = 1e-9;
 /// By which a force is larger where it may or may not stand with the least one.
@@ -72,9 +74,9 @@ std::vector<Hold> holds(const StillScene& still,
   return found;
 }
 
-void keep_smallest(int most, std::vector<Fix>& fixes) {
+void keep_smallest(std::vector<Fix>& fixes) {
   std::ranges::stable_sort(fixes, {}, &Fix::size);
-  if (static_cast<int>(fixes.size()) > most) fixes.resize(most);
+  if (fixes.size() > most_fixes) fixes.resize(most_fixes);
 }
 
 /// How far the point of a force is from the cube's centre against the force, which pushes there, against gravity, and the way that
@@ -108,15 +110,12 @@ void verify(const StillScene& still, Fix& fix) {
 std::vector<Fix> forces(const StillScene& still,
                         const IslandForces& of,
                         const std::vector<int>& cubes,
-                        const Certificate& certificate,
-                        int most) {
+                        const Certificate& certificate) {
   LoadFactor factor(find_generators(still.system, still.state, of.island, Sliding::given).program);
   const Load w = weights(still, of.island);
   std::vector<Fix> fixes;
   for (const Hold& hold : holds(still, of.island, cubes, certificate)) {
-    if (static_cast<int>(fixes.size()) == most
-        && hold.at_least > (1.0 + same) * fixes.back().size())
-      break;
+    if (fixes.size() == most_fixes && hold.at_least > (1.0 + same) * fixes.back().size()) break;
     const double unit = still.weight(hold.cube);
     const Load q = force_at(still, of.island, hold.cube, hold.point, unit * hold.direction);
     const double s = factor.low(w, q);
@@ -133,15 +132,14 @@ std::vector<Fix> forces(const StillScene& still,
     if (fix.verified != Verdict::stands) continue;
     if (former != fixes.end()) fixes.erase(former);
     fixes.push_back(fix);
-    keep_smallest(most, fixes);
+    keep_smallest(fixes);
   }
   return fixes;
 }
 
 std::vector<Fix> moves(const StillScene& still,
                        const MotionSettings& settings,
-                       const std::vector<int>& cubes,
-                       int most) {
+                       const std::vector<int>& cubes) {
   std::vector<Fix> fixes;
   for (const int cube : cubes) {
     const std::optional<double> distance = mending_move(still, settings, cube);
@@ -156,7 +154,7 @@ std::vector<Fix> moves(const StillScene& still,
     fix.verified = move(still, settings, group, *distance).verdict;
     if (fix.verified == Verdict::stands) fixes.push_back(fix);
   }
-  keep_smallest(most, fixes);
+  keep_smallest(fixes);
   return fixes;
 }
 
@@ -204,16 +202,15 @@ Verdict verdict_with_force(const StillScene& still,
 
 std::vector<Fix> find_fixes(const StillScene& still,
                             const MotionSettings& settings,
-                            const Causes& causes,
-                            int most) {
+                            const Causes& causes) {
   std::vector<Fix> fixes;
   for (int m = 0; m < static_cast<int>(still.found.islands.size()); ++m) {
     const IslandForces& of = still.found.islands[m];
     if (of.rests) continue;
     const std::vector<int> cubes = concerned(of.island, m, causes);
-    for (Fix& fix : moves(still, settings, cubes, most))
+    for (Fix& fix : moves(still, settings, cubes))
       fixes.push_back(fix);
-    for (Fix& fix : forces(still, of, cubes, causes.certificate, most))
+    for (Fix& fix : forces(still, of, cubes, causes.certificate))
       fixes.push_back(fix);
   }
   return fixes;

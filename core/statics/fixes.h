@@ -23,12 +23,11 @@ struct Fix {
   }
 };
 
-/// For each island that falls: up to `most` moves of one cube, and up to `most` forces at one corner of
+/// For each island that falls: up to three moves of one cube, and up to three forces at one corner of
 /// one cube, the smallest first. Those that cannot be verified are left out.
 std::vector<Fix> find_fixes(const StillScene& still,
                             const MotionSettings& settings,
-                            const Causes& causes,
-                            int most = 3);
+                            const Causes& causes);
 
 /// What becomes of the island of a cube, and of all that stands beside it, under a force at a point.
 Verdict verdict_with_force(const StillScene& still, int cube, const Vec2& point, const Vec2& force);

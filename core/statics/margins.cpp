@@ -185,16 +185,14 @@ TiltMargin tilt_angles(const LoadRange& tangents) {
 LoadRange tilt_range(const StillScene& still, Sliding sliding) {
   LoadRange range;
   if (still.system.gravity.isZero(0.0)) return range;
-  std::vector<char> free(still.system.cubes, 1);
+  for (int cube = 0; cube < still.system.cubes; ++cube)
+    if (still.island_of(cube) < 0) return no_load;  // falls freely
   for (const IslandForces& of : still.found.islands) {
-    for (const int cube : of.island.cubes)
-      free[cube] = 0;
     const Load q = share_of_weights(still, of.island, still.right());
     const LoadRange own = IslandLoads(still, of.island, sliding).range(q);
     range = intersection(range, around_zero(own, of.rests));
     if (is_empty(range)) return no_load;
   }
-  if (std::ranges::find(free, 1) != free.end()) return no_load;  // falls freely
   return range;
 }
 

@@ -14,8 +14,7 @@
 namespace wuerfel {
 namespace {
 
-/// So many cubes may move, and no more than half of the group. What more of them bring about on top of others are events without end:
-/// with 12 the house of cards took ten times as long as in steps.
+/// So many cubes may move, and no more than half of the group. What more of them bring about on top of others are events without end.
 constexpr std::ptrdiff_t most_moving = 6;
 
 /// Takes the mark off those of an island that are not held where they are; false where accelerations are not known. An island of

@@ -1,14 +1,9 @@
 #include "core/time/shown_ranges.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace wuerfel {
 namespace {
-
-bool is_same(const BodyState& a, const BodyState& b) {
-  return a.position == b.position && a.angle == b.angle;
-}
 
 State states_of(const Island& island, const State& state) {
   State result;
@@ -24,8 +19,7 @@ RangeFinder::Known RangeFinder::find(const System& system,
                                      const IslandForces& of) const {
   State own = states_of(of.island, state);
   for (const Known& known : known_) {
-    if (known.cubes == of.island.cubes && std::ranges::equal(known.state, own, is_same))
-      return known;
+    if (known.cubes == of.island.cubes && known.state == own) return known;
   }
   InstantForces alone;
   alone.islands = {of};

@@ -96,12 +96,6 @@ void add_hatch(const FrameParts& parts, const SnapshotPlane& plane, const Vec2& 
 
 }  // namespace
 
-bool in_ground(const FrameParts& parts, const Vec2& world) {
-  return std::ranges::any_of(parts.snapshot.planes, [&world](const SnapshotPlane& plane) {
-    return (world - plane.point).dot(plane.normal) < 0.0;
-  });
-}
-
 void add_grid(const FrameParts& parts) {
   const double step = round_down_125(grid_spacing * parts.unit / parts.view.pixels_per_metre);
   const Vec2 low = parts.view.to_world(Vec2(0.0, parts.view.height));

@@ -52,7 +52,6 @@ class ForceRange {
   bool cuts(const ForceScale& scale) const;
   double typical_side()
       const;  ///< m, mean over the cubes seen (geometric mean of width and height)
-  double typical_weight() const { return weight_; }  ///< N, the median of m g over the cubes
 
   /// The scale at which the largest force is 0.8 typical sides long, but a typical weight at least
   /// 0.15 and at most 0.5. What is longer than 0.8 sides is cut. The largest twentieth of all forces
@@ -69,7 +68,7 @@ class ForceRange {
   double steepest_ = 0.0;  ///< N/m, of force over the room for its arrow
   double side_sum_ = 0.0;
   std::uint64_t side_count_ = 0;
-  double weight_ = 0.0;
+  double weight_ = 0.0;  ///< N, the median of m g over the cubes
 };
 
 /// The scale for the option --force-scale: `metres_per_newton` given, cut at six typical sides.

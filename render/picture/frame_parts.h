@@ -132,8 +132,6 @@ void paint_arrows(const FrameParts& parts, const std::vector<PendingArrow>& arro
 /// A thin arrow without a halo or a filled head: no force.
 void paint_normal(const FrameParts& parts, Pixel tail, Pixel tip);
 
-/// True where the world point lies in a half-plane.
-bool in_ground(const FrameParts& parts, const Vec2& world);
 /// False where a box lies outside the picture.
 bool visible(const FrameParts& parts, const SnapshotBox& box);
 

@@ -9,12 +9,6 @@ from program import FALLING, FLYING, LANDING, PROGRAM, STANDING, ProgramTest, ma
 
 
 class Usage(ProgramTest):
-    def refuse(self, *arguments):
-        done = self.expect(2, *arguments)
-        self.assertEqual(done.stdout, "", arguments)
-        self.assertTrue(done.stderr.startswith("wuerfel: "), done.stderr)
-        return done.stderr
-
     def test_version_and_help_are_no_errors(self):
         self.assertRegex(self.expect(0, "--version").stdout, r"^wuerfel \d+\.\d+\.\d+\n$")
         self.assertIn("check", self.expect(0, "--help").stdout)

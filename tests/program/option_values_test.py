@@ -3,12 +3,6 @@ from program import FLYING, ProgramTest, main
 
 
 class OptionValues(ProgramTest):
-    def refuse(self, *arguments):
-        done = self.expect(2, *arguments)
-        self.assertEqual(done.stdout, "", arguments)
-        self.assertTrue(done.stderr.startswith("wuerfel: "), done.stderr)
-        return done.stderr
-
     def test_an_empty_name_is_refused(self):
         scene = self.scene(FLYING)
         for command, options in {"run": ("--states", "--forces", "--events", "--summary", "--failed-programs", "--checkpoint", "--resume"),

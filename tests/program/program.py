@@ -81,6 +81,13 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(done.returncode, code, f"{arguments}: {done.stderr}")
         return done
 
+    def refuse(self, *arguments):
+        """What the program says of arguments that it does not take."""
+        done = self.expect(2, *arguments)
+        self.assertEqual(done.stdout, "", arguments)
+        self.assertTrue(done.stderr.startswith("wuerfel: "), done.stderr)
+        return done.stderr
+
     def summary(self, scene, *arguments, code=0):
         done = self.expect(code, "run", self.scene(scene), "--json", *arguments)
         return json.loads(done.stdout)

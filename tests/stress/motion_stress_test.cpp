@@ -6,6 +6,7 @@
 
 #include "core/time/simulation.h"
 #include "tests/support/bin_scene.h"
+#include "tests/support/max_norm.h"
 #include "tests/support/parameter_names.h"
 #include "tests/support/scenes.h"
 
@@ -147,15 +148,6 @@ Scene some_motion(double scale = 1.0, const Vec2& shift = Vec2::Zero(), bool mir
   return scene;
 }
 
-double difference(const State& a, const State& b) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    worst = std::max(
-        {worst, (a[i].position - b[i].position).norm(), std::abs(a[i].angle - b[i].angle)});
-  }
-  return worst;
-}
-
 State final_state(const Scene& scene, double t, double tolerance = 1e-8) {
   MotionSettings settings;
   settings.tolerance = tolerance;
@@ -172,7 +164,7 @@ TEST(Invariance, ScaledScenesGiveTheScaledMotion) {
     State scaled = final_state(some_motion(scale), end * std::sqrt(scale));
     for (BodyState& s : scaled)
       s.position /= scale;
-    EXPECT_LE(difference(unit, scaled), 1e-8) << scale;
+    EXPECT_LE(distance(unit, scaled), 1e-8) << scale;
   }
 }
 
@@ -183,7 +175,7 @@ TEST(Invariance, MirroredScenesGiveTheMirroredMotion) {
     s.position.x() = -s.position.x();
     s.angle = -s.angle;
   }
-  EXPECT_LE(difference(right, left), 1e-8);
+  EXPECT_LE(distance(right, left), 1e-8);
 }
 
 TEST(Invariance, OrderOfBodiesDoesNotMatter) {
@@ -192,7 +184,7 @@ TEST(Invariance, OrderOfBodiesDoesNotMatter) {
   std::reverse(scene.cubes.begin(), scene.cubes.end());
   State after = final_state(scene, end);
   std::reverse(after.begin(), after.end());
-  EXPECT_LE(difference(before, after), 1e-8);
+  EXPECT_LE(distance(before, after), 1e-8);
 }
 
 TEST(Invariance, AMillionMetresAwayTheMotionIsTheSame) {
@@ -201,7 +193,7 @@ TEST(Invariance, AMillionMetresAwayTheMotionIsTheSame) {
   State there = final_state(some_motion(1.0, shift), end, 1e-6);
   for (BodyState& s : there)
     s.position -= shift;
-  EXPECT_LE(difference(here, there), 1e-6);
+  EXPECT_LE(distance(here, there), 1e-6);
 }
 
 TEST(Invariance, GravityMayPointAnywhere) {
@@ -213,7 +205,7 @@ TEST(Invariance, GravityMayPointAnywhere) {
   State sideways = final_state(turned, end);
   for (BodyState& s : sideways)
     s.position = {s.position.y(), -s.position.x()};
-  EXPECT_LE(difference(final_state(some_motion(), end), sideways), 1e-8);
+  EXPECT_LE(distance(final_state(some_motion(), end), sideways), 1e-8);
 }
 
 TEST(Invariance, WithoutGravityMomentumStays) {

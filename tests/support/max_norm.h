@@ -1,10 +1,12 @@
-/// The largest number, of a vector or of a difference.
+/// The largest number, of a vector or of a difference: of two states, too.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "core/model/state.h"
 
 namespace wuerfel::test {
 
@@ -22,6 +24,16 @@ inline double distance(const std::vector<double>& a, const std::vector<double>& 
   double most = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
     most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+/// The largest difference of positions (m) and angles (rad) of two states of the same bodies.
+inline double distance(const State& a, const State& b) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    most =
+        std::max({most, (a[i].position - b[i].position).norm(), std::abs(a[i].angle - b[i].angle)});
+  }
   return most;
 }
 

@@ -7,21 +7,12 @@
 
 #include "core/time/events/dop853.h"
 #include "core/time/simulation.h"
+#include "tests/support/max_norm.h"
 #include "tests/support/reference_case.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
 namespace {
-
-/// Largest difference of positions and angles.
-double difference(const State& a, const State& b) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    worst = std::max(
-        {worst, (a[i].position - b[i].position).norm(), std::abs(a[i].angle - b[i].angle)});
-  }
-  return worst;
-}
 
 State state_at(const Scene& scene, double t, Integrator integrator, double step) {
   MotionSettings settings;
@@ -79,8 +70,8 @@ TEST(Dop853, HasDenseOutputOfOrderSeven) {
 /// Error of a reference motion at a time of its smooth phase, against the event integrator.
 double smooth_error(const std::string& name, double t, Integrator integrator, double step) {
   const Scene scene = read_reference_case(name).scene;
-  return difference(state_at(scene, t, integrator, step),
-                    state_at(scene, t, Integrator::event, step));
+  return distance(state_at(scene, t, integrator, step),
+                  state_at(scene, t, Integrator::event, step));
 }
 
 struct Smooth {
@@ -126,8 +117,8 @@ TEST(Integrators, SteppingComesToTheEventDrivenMotion) {
   table.fixed.push_back({"table", {1.0, 1.0}, {0.0, 0.5}, 0.0, {}});
   for (const Case& c : {Case{table, 1.0}, Case{on_floor(leaning_tower(5, 0.3)), 0.6}}) {
     const State exact = state_at(c.scene, c.t, Integrator::event, 0.0);
-    const double coarse = difference(state_at(c.scene, c.t, Integrator::rattle, 1e-3), exact);
-    const double fine = difference(state_at(c.scene, c.t, Integrator::rattle, 6.25e-5), exact);
+    const double coarse = distance(state_at(c.scene, c.t, Integrator::rattle, 1e-3), exact);
+    const double fine = distance(state_at(c.scene, c.t, Integrator::rattle, 6.25e-5), exact);
     EXPECT_LT(fine, 1e-3);
     EXPECT_LT(fine, 0.2 * coarse);
   }
@@ -145,7 +136,7 @@ TEST(Integrators, ATighterToleranceGivesMoreDigits) {
     settings.tolerance = tolerance;
     Simulation simulation(reference.scene, settings);
     simulation.advance_to(t);
-    const double error = difference(simulation.states(), exact.states());
+    const double error = distance(simulation.states(), exact.states());
     EXPECT_LE(error, tolerance);
     EXPECT_LT(error, before);
     before = error;

@@ -7,6 +7,7 @@
 #include "core/scene/scene_parser.h"
 #include "core/time/promises.h"
 #include "core/time/simulation.h"
+#include "tests/support/parameter_names.h"
 #include "tests/support/stacks.h"
 
 namespace wuerfel::test {
@@ -67,13 +68,8 @@ TEST_P(JamWithEveryIntegrator, IsNotSilentWhereForcesGoOnToPushAcrossARope) {
 
 INSTANTIATE_TEST_SUITE_P(All,
                          JamWithEveryIntegrator,
-                         testing::Values(Integrator::automatic,
-                                         Integrator::event,
-                                         Integrator::rattle,
-                                         Integrator::moreau,
-                                         Integrator::symplectic,
-                                         Integrator::euler),
-                         [](const auto& test) { return std::string(to_string(test.param)); });
+                         testing::ValuesIn(all_integrators),
+                         name_of_integrator);
 
 TEST_P(JamWithEveryIntegrator, HoldsOrNamesRodsThatForcesDrive) {
   // A point in the middle of a rope lies on a block that slides away. To first order nothing holds it then; lengths

@@ -8,6 +8,7 @@
 
 #include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
+#include "tests/support/parameter_names.h"
 #include "tests/support/scenes.h"
 #include "tests/support/stacks.h"
 
@@ -173,13 +174,8 @@ TEST_P(EveryIntegrator, KeepsLengthsAndPins) {
 
 INSTANTIATE_TEST_SUITE_P(All,
                          EveryIntegrator,
-                         testing::Values(Integrator::automatic,
-                                         Integrator::event,
-                                         Integrator::rattle,
-                                         Integrator::moreau,
-                                         Integrator::symplectic,
-                                         Integrator::euler),
-                         [](const auto& test) { return std::string(to_string(test.param)); });
+                         testing::ValuesIn(all_integrators),
+                         name_of_integrator);
 
 TEST(Rattle, IsOfSecondOrderWithRods) {
   // Against the reference of the double pendulum, whose error falls by four with half of the step.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/parameter_names.h"
 #include "tests/support/scenes.h"
 #include "tests/support/stacks.h"
 
@@ -24,9 +25,7 @@ TEST(Simulation, NamesWhatHasMoved) {
 }
 
 TEST(Simulation, EveryIntegratorMakesAMotion) {
-  for (const Integrator integrator :
-       {Integrator::automatic, Integrator::event, Integrator::rattle, Integrator::moreau,
-        Integrator::euler, Integrator::symplectic}) {
+  for (const Integrator integrator : all_integrators) {
     MotionSettings settings;
     settings.integrator = integrator;
     Simulation simulation(one_falls(), settings);
