@@ -151,6 +151,18 @@ class Films(ProgramTest):
         self.assertIn("ffmpeg", done.stderr)
         self.assertEqual(self.files(), ["bin", "scene.json"])
 
+    def test_a_film_that_has_no_room_for_its_end_is_none(self):
+        os.mkdir(self.path("bin"))
+        with open(self.path("bin/ffmpeg"), "w") as full:  # writing fails and no signal comes, as on a full disk
+            full.write(f'#!/bin/sh\ntrap "" XFSZ\nulimit -f 3\nexec {shutil.which("ffmpeg")} "$@"\n')
+        os.chmod(self.path("bin/ffmpeg"), 0o755)
+        for film in ("f.mp4", "f.webm", "f.gif"):
+            with self.subTest(film):
+                done = self.expect(5, "run", self.scene(FLYING), "-o", film, "--fps", "20",
+                                   env={**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
+                self.assertIn(f"ffmpeg failed on {film}: ", done.stderr)
+                self.assertEqual(self.files(), ["bin", "scene.json"])
+
 
 class Unwritable(ProgramTest):
     def test_it_is_noticed_before_the_work(self):
