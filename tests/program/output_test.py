@@ -201,6 +201,18 @@ class Unwritable(ProgramTest):
         self.assertIn("is a folder", self.expect(5, "run", self.scene(FLYING), "-o", "d.mp4", *SMALL).stderr)
         self.assertEqual(self.files("d.mp4"), [])
 
+    def test_a_scene_is_not_replaced_by_what_is_made_of_it(self):
+        scene = self.scene(FLYING)
+        before = self.content("scene.json")
+        for option in ("--summary", "--states", "--forces", "--events", "--failed-programs", "--checkpoint"):
+            done = self.expect(2, "run", scene, option, "./scene.json", *SMALL)
+            self.assertIn("scene.json is read and would be replaced", done.stderr)
+        self.assertEqual(self.content("scene.json"), before)
+
+    def test_frames_may_go_to_a_folder_with_the_name_of_a_shipped_scene(self):
+        for _ in range(2):
+            self.expect(0, "run", "tower", "-o", "tower/", "--until", "0", *SMALL)
+
     def test_devices_are_written_to_and_not_replaced(self):
         self.expect(0, "run", self.scene(FLYING), "--states", "/dev/null", "--summary", "/dev/null")
         self.assertFalse(os.path.isfile("/dev/null"))
