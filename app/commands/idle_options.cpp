@@ -108,6 +108,7 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
   without(Layer::accelerations, "--acceleration-scale");
   without(Layer::velocities, "--velocity-scale");
   without(Layer::rod_forces, "--rod-scale");
+  without(Layer::hud, "--legend");
   if (layers.has(Layer::whiskers) && !layers.has(Layer::forces)
       && !layers.has(Layer::contact_forces))
     notes.add("the layer whiskers shows nothing without forces or contact-forces");
