@@ -141,9 +141,8 @@ void watch_steps(
 }
 
 void note_labels(const RunBooks& books, Notes& notes) {
-  const int left_out = books.labels_left_out();
-  if (left_out > 0)
-    notes.add(fmt::format("up to {} labels of a frame have no room and are left out", left_out));
+  const int labels = books.labels_left_out();
+  if (labels > 0) notes.add("up to " + left_out(labels, "label of a frame", "labels of a frame"));
 }
 
 Answer run(Job job, AnswerForm form, Notes& notes) {
