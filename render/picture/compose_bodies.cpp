@@ -1,5 +1,6 @@
 // Cubes and fixed boxes, and what is drawn on them: rods, masses, contacts, names.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -172,7 +173,63 @@ void add_contacts(const FrameParts& parts) {
   }
 }
 
-// In the middle where it is free, else above or below it, else in a corner of the body.
+namespace {
+
+/// Whether a text of this half size around this middle, in pixels, lies on the body: none of their four directions
+/// separates them.
+bool lies_on(const FrameParts& parts,
+             const SnapshotBox& box,
+             const Vec2& middle,
+             const Vec2& half) {
+  const Vec2 along(axis_of(box).x(), -axis_of(box).y());
+  const Vec2 across = perp(along);
+  const Vec2 apart = parts.view.to_pixel(box.center) - middle;
+  const Vec2 half_box = 0.5 * parts.view.pixels_per_metre * box.size;
+  return std::ranges::all_of(
+      std::array{Vec2(1.0, 0.0), Vec2(0.0, 1.0), along, across}, [&](const Vec2& direction) {
+        const double reach = half.dot(direction.cwiseAbs())
+                             + half_box.x() * std::abs(along.dot(direction))
+                             + half_box.y() * std::abs(across.dot(direction));
+        return std::abs(apart.dot(direction)) < reach;
+      });
+}
+
+/// Beside the long sides of a body too thin for its name, where no body is.
+void add_name_beside(const FrameParts& parts, const SnapshotBox& box) {
+  const double size = parts.style.text_size * parts.unit;
+  const Vec2 half(0.5 * parts.font.width(box.name, size), 0.48 * size);
+  const double ppm = parts.view.pixels_per_metre;
+  const bool wide = box.size.x() > box.size.y();
+  const Vec2 side(axis_of(box).x(), -axis_of(box).y());
+  const Vec2 along = wide ? side : perp(side);
+  const Vec2 away = perp(along);
+  const double gap = 0.5 * ppm * box.size.minCoeff() + half.dot(away.cwiseAbs()) + 3.0 * parts.unit;
+  std::vector<Pixel> places;
+  for (const double share : {0.0, 0.2, -0.2, 0.4, -0.4}) {
+    for (const double way : {gap, -gap}) {
+      const Vec2 middle =
+          parts.view.to_pixel(box.center) + share * ppm * box.size.maxCoeff() * along + way * away;
+      const bool covered = std::ranges::any_of(parts.snapshot.boxes, [&](const SnapshotBox& other) {
+        return lies_on(parts, other, middle, half);
+      });
+      if (!covered)
+        places.push_back({static_cast<float>(middle.x() - half.x()),
+                          static_cast<float>(middle.y() + 0.36 * size)});
+    }
+  }
+  parts.labels.place({box.name,
+                      {},
+                      static_cast<float>(size),
+                      parts.style.ink,
+                      parts.style.halo,
+                      static_cast<float>(2.0 * parts.unit)},
+                     places, parts.font, parts.list);
+}
+
+}  // namespace
+
+// In the middle where it is free, else above or below it, else in a corner of the body; beside one that is
+// long enough, but too thin.
 void add_names(const FrameParts& parts) {
   for (std::size_t i = 0; i < parts.snapshot.boxes.size(); ++i) {
     const SnapshotBox& box = parts.snapshot.boxes[i];
@@ -188,7 +245,11 @@ void add_names(const FrameParts& parts) {
     const double size = full * std::clamp(room / width, smallest_name, 1.0);
     const double shown = parts.font.width(box.name, size);
     if (shown > room || 1.1 * size > high * ppm) {
-      ++parts.list.labels_left_out;
+      if (box.size.maxCoeff() * ppm > width && !is_crowd(parts.snapshot)) {
+        add_name_beside(parts, box);
+      } else {
+        ++parts.list.labels_left_out;
+      }
       continue;
     }
     const Color fill = parts.colors[i];
