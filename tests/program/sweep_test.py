@@ -222,6 +222,13 @@ verdicts = ["falls"]
         self.plan(SWEEP + "[balance]\nstands = 16\nfalls = 8\n", "few", "--cases", "6")
         self.assertEqual(len(self.manifest("few")), 6)
 
+    def test_a_long_plan_tells_how_far_it_is(self):
+        text = SWEEP.replace("cases = 24", "cases = 20000").replace("[labels]", "[reject]\nmargin_below = 1e-3\n[labels]")
+        with subprocess.Popen([self.program, "sweep", "plan", self.sweep(text), "--dry-run", "--jobs", "1"], stderr=subprocess.PIPE, text=True) as process:
+            line = process.stderr.readline()
+            process.terminate()
+        self.assertRegex(line, r"^drawing +\d+ %")
+
     def test_a_dry_run_writes_nothing(self):
         done = self.expect(0, "sweep", "plan", self.sweep(), "--dry-run")
         self.assertIn("24 cases", done.stderr)
