@@ -227,7 +227,7 @@ verdicts = ["falls"]
         with subprocess.Popen([self.program, "sweep", "plan", self.sweep(text), "--dry-run", "--jobs", "1"], stderr=subprocess.PIPE, text=True) as process:
             line = process.stderr.readline()
             process.terminate()
-        self.assertRegex(line, r"^drawing +\d+ %")
+        self.assertRegex(line, r"^drawing +\d+ %  \d+ of 20000 cases  \d+ cases/s")
 
     def test_a_dry_run_writes_nothing(self):
         done = self.expect(0, "sweep", "plan", self.sweep(), "--dry-run")
