@@ -22,9 +22,10 @@ void require_kept(const std::string& read, const std::string& output) {
   // A shipped scene is no file, and standard input is not standard output.
   if (output.empty() || read == "-" || !std::filesystem::exists(read, error)) return;
   const auto place = place_of(output);
-  if (place && place == place_of(read))
+  if (place && place == place_of(read)) {
     throw UsageError(
         fmt::format("{} is read and would be replaced; give the output another name", output));
+  }
 }
 
 }  // namespace wuerfel

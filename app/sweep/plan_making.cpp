@@ -216,9 +216,10 @@ PlanCounts make_plan(const SweepText& text,
                      const StopSignal& stop,
                      const std::function<void(long cases)>& progress) {
   const Workforce workforce{thread_count(threads), [&stop] { stop.check(); }};
-  if (folder.empty())
-    return draw_cases(
-        text.sweep, workforce, [](const std::string&) {}, progress);
+  if (folder.empty()) {
+    const auto nowhere = [](const std::string&) {};
+    return draw_cases(text.sweep, workforce, nowhere, progress);
+  }
   NewFolder plan(folder);
   Sha256 digest;
   TextOutput manifest(plan.file(manifest_name));
