@@ -125,7 +125,7 @@ void Options::join_optional_values(std::vector<Text>& arguments) const {
 }
 
 void Options::flag(const Text& names, const Text& meaning, bool& value) {
-  app_->add_flag(names, value, meaning);
+  app_->add_flag(names, value, meaning)->disable_flag_override();
 }
 
 void Options::offer(const Text& name, std::vector<Text> values) {
@@ -155,6 +155,24 @@ void Options::parse_line(const Text& line) {
   }
 }
 
+namespace {
+
+// Where CLI11 only counts.
+Text in_words(const CLI::App& app, const Text& otherwise) {
+  for (const CLI::Option* option : app.get_options({})) {
+    const bool one = option->get_type_size() > 0 && option->get_expected_max() == 1;
+    if (one && option->count() > 1) return option->get_name() + " is given more than once";
+    if (otherwise == CLI::ArgumentMismatch::FlagOverride(option->get_single_name()).what())
+      return option->get_name() + " takes no value";
+    const Text type = option->get_type_name();
+    if (otherwise == CLI::ArgumentMismatch::TypedAtLeast(option->get_name(), 1, type).what())
+      return fmt::format("{} needs a value, {}", option->get_name(), type);
+  }
+  return otherwise;
+}
+
+}  // namespace
+
 // What CLI11 did not know tells more than what it missed in its place.
 Text Options::complaint(const Text& otherwise) const {
   std::vector<Text> names;
@@ -170,7 +188,7 @@ Text Options::complaint(const Text& otherwise) const {
     return fmt::format("there is no option {}{}", name, suggestion(name, names));
   }
   if (!unknown.empty()) return fmt::format("'{}' is one argument too many", unknown.front());
-  return otherwise;
+  return in_words(*app_, otherwise);
 }
 
 Text Options::help() const { return app_->help(); }

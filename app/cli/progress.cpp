@@ -34,6 +34,12 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
 }
 
+// Counts in full, also where they have more digits.
+std::string number_text(double value, int digits) {
+  return value >= 1e3 && value < 1e9 ? fmt::format("{:.0f}", value)
+                                     : fmt::format("{:.{}g}", value, digits);
+}
+
 }  // namespace
 
 bool LogSchedule::due(double share, double elapsed) {
@@ -76,8 +82,9 @@ std::string Progress::text(double done) const {
   const double elapsed = watch_.wall();
   const double share = std::min(1.0, done / total_);
   const double rate = elapsed > 0.0 ? done / elapsed : 0.0;
-  std::string text = fmt::format("{} {:3.0f} %  {:.4g} of {:.4g} {}  {:.3g} {}/s", label_,
-                                 100.0 * share, done, total_, unit_, rate, unit_);
+  std::string text =
+      fmt::format("{} {:3.0f} %  {} of {} {}  {} {}/s", label_, 100.0 * share, number_text(done, 4),
+                  number_text(total_, 4), unit_, number_text(rate, 3), unit_);
   if (share < 1.0 && rate > 0.0) {
     text += fmt::format("  {} left", clock_text((total_ - done) / rate));
   } else {

@@ -13,6 +13,7 @@
 
 #include "app/cli/argument.h"
 #include "app/cli/option_groups.h"
+#include "app/cli/places.h"
 #include "app/commands/commands.h"
 #include "app/commands/picture_pairs.h"
 #include "app/output/text_output.h"
@@ -186,6 +187,8 @@ Action declare_compare(Options& options) {
   options.flag("--json", "print the answer as JSON", asked->json);
   return [asked](const Stopwatch&) {
     require_no_stdout("-o", asked->output);
+    require_kept(asked->expected, asked->output);
+    require_kept(asked->actual, asked->output);
     return compare(*asked);
   };
 }

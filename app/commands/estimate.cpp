@@ -61,8 +61,9 @@ std::vector<Need> needs(const RunOptions& asked, const Scene& scene, double fram
 }
 
 std::string size_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
-                     : fmt::format("{:.3g} GB", bytes / 1e9);
+  if (bytes >= 1e9) return fmt::format("{:.3g} GB", bytes / 1e9);
+  return bytes >= 1e6 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                      : fmt::format("{:.0f} kB", bytes / 1e3);
 }
 
 /// Throws UsageError where a disk is far too small. Folders of one disk share what is free.

@@ -121,10 +121,8 @@ ExitCode figure(const FigureOptions& asked, const Options& options) {
   if (!still_options.strip)
     note_hud(still_options.picture, {still.page.width, still.page.height}, notes);
   if (still.legend_left_out > 0) {
-    notes.add(
-        fmt::format("{} entries of the legend have no room and are left out: take a larger "
-                    "--size, a smaller --scale or fewer --layers",
-                    still.legend_left_out));
+    notes.add(left_out(still.legend_left_out, "entry of the legend", "entries of the legend")
+              + ": take a larger --size, a smaller --scale or fewer --layers");
   }
   if (!still.hint.empty()) notes.add(still.hint);
   note_small_print(still, asked, notes);

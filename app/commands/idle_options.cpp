@@ -108,6 +108,7 @@ void note_idle_picture_options(const Options& options, Layers layers, Notes& not
   without(Layer::accelerations, "--acceleration-scale");
   without(Layer::velocities, "--velocity-scale");
   without(Layer::rod_forces, "--rod-scale");
+  without(Layer::hud, "--legend");
   if (layers.has(Layer::whiskers) && !layers.has(Layer::forces)
       && !layers.has(Layer::contact_forces))
     notes.add("the layer whiskers shows nothing without forces or contact-forces");
@@ -125,8 +126,13 @@ void note_hud(const PictureOptions& picture, PixelSize size, Notes& notes) {
                         hud.head ? "the legend is" : "title and legend are"));
 }
 
+std::string left_out(int count, std::string_view one, std::string_view many) {
+  return count == 1 ? fmt::format("1 {} has no room and is left out", one)
+                    : fmt::format("{} {} have no room and are left out", count, many);
+}
+
 void note_labels_left_out(int labels, Notes& notes) {
-  if (labels > 0) notes.add(fmt::format("{} labels have no room and are left out", labels));
+  if (labels > 0) notes.add(left_out(labels, "label", "labels"));
 }
 
 }  // namespace wuerfel

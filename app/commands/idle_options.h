@@ -42,6 +42,9 @@ void note_idle_colors(const Options& options, ColorBy by, Notes& notes);
 /// Title and legend of pictures of this size that have no room for them.
 void note_hud(const PictureOptions& picture, PixelSize size, Notes& notes);
 
+/// So many of them have no room and are left out.
+std::string left_out(int count, std::string_view one, std::string_view many);
+
 /// Names and numbers of a picture for which there was no free place.
 void note_labels_left_out(int labels, Notes& notes);
 

@@ -9,6 +9,7 @@
 
 #include "app/cli/argument.h"
 #include "app/cli/option_groups.h"
+#include "app/cli/places.h"
 #include "app/commands/commands.h"
 #include "app/film/origin.h"
 #include "app/film/still.h"
@@ -167,6 +168,7 @@ Action declare_reproduce(Options& options) {
   options.flag("--json", "print the answer as JSON", asked->json);
   return [asked](const Stopwatch&) {
     require_no_stdout("-o", asked->output);
+    require_kept(asked->picture, asked->output);
     return reproduce(*asked);
   };
 }

@@ -27,6 +27,8 @@ namespace {
 void note_idle_options(const RunOptions& asked, const Options& options, Notes& notes) {
   require_effect(options, asked.motion);
   if (asked.checkpoint.empty()) note_idle(options, {"--every"}, "without --checkpoint", notes);
+  if (!asked.json && asked.summary.empty())
+    note_idle(options, {"--sample"}, "without --json or --summary", notes);
   if (asked.outputs.empty()) {
     note_idle(options,
               {"--size", "--layers", "--theme", "--view", "--zoom", "--scale", "--force-scale",
@@ -129,9 +131,8 @@ void say_work(const Job& job, AnswerForm form) {
 }
 
 void note_labels(const RunBooks& books, Notes& notes) {
-  const int left_out = books.labels_left_out();
-  if (left_out > 0)
-    notes.add(fmt::format("up to {} labels of a frame have no room and are left out", left_out));
+  const int labels = books.labels_left_out();
+  if (labels > 0) notes.add("up to " + left_out(labels, "label of a frame", "labels of a frame"));
 }
 
 Answer run(Job job, AnswerForm form, Notes& notes) {
@@ -207,6 +208,7 @@ Answer answer(const RunOptions& asked,
               Notes& notes) {
   if (form.one_line) require_no_files(asked);
   note_idle_options(asked, options, notes);
+  if (!form.one_line) note_idle(options, {"--threads"}, "for one scene", notes);
   const Scene scene = parse(text, asked.overrides);
   note_what_is_left_out(options, scene, asked.motion.integrator, notes);
   if (!asked.outputs.empty() && asked.picture.size.height == 0)

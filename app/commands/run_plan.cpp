@@ -4,12 +4,14 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <system_error>
+#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "app/cli/exit_code.h"
+#include "app/cli/is_folder.h"
+#include "app/cli/places.h"
 #include "app/cli/scene_source.h"
 
 namespace wuerfel {
@@ -36,16 +38,6 @@ std::vector<double> marks_until(double end, const RunOptions& asked) {
   return marks;
 }
 
-// Names of one file are one name; devices take anything from anybody.
-std::optional<std::filesystem::path> place_of(const std::string& name) {
-  if (name == "-") return name;
-  std::error_code error;
-  if (std::filesystem::is_other(std::filesystem::status(name, error))) return std::nullopt;
-  const auto place =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
-  return place.has_filename() ? place : place.parent_path();
-}
-
 // A camera has to find the body that it follows.
 void require_body(const Camera& camera, const Scene& scene) {
   if (camera.kind != Camera::Kind::follow) return;
@@ -66,6 +58,9 @@ void require_distinct_outputs(const RunOptions& asked) {
   std::map<std::filesystem::path, std::string> taken;
   if (asked.json) taken["-"] = "--json";
   for (const std::string& name : asked.files()) {
+    // A folder is none, but may have the name of a shipped scene.
+    for (const std::string& scene : asked.scenes)
+      if (!is_folder(scene)) require_kept(scene, name);
     const auto place = place_of(name);
     if (place && !taken.emplace(*place, name).second) {
       throw UsageError(name == "-" ? "only one of --json and the files can be standard output"

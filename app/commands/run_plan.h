@@ -42,7 +42,7 @@ struct RunOptions {
   [[nodiscard]] std::vector<std::string> files() const;
 };
 
-/// Throws UsageError where two things have to go to one place.
+/// Throws UsageError where two things have to go to one place, or one to that of a scene.
 void require_distinct_outputs(const RunOptions& asked);
 
 struct RunPlan {

@@ -53,7 +53,12 @@ ExitCode plan(const PlanOptions& asked) {
     throw UsageError("sweep plan: -o PLAN is missing (or --dry-run)");
   const StopSignal stop;
   const SweepText text(sweep_text(asked.sweep), {}, asked.cases);
-  say_counts(make_plan(text, asked.dry_run ? "" : asked.folder, asked.threads, stop));
+  Progress bar(Progress::style_for_stderr(false), "drawing", static_cast<double>(text.sweep.cases),
+               "cases");
+  const PlanCounts counts = make_plan(text, asked.dry_run ? "" : asked.folder, asked.threads, stop,
+                                      [&](long cases) { bar.reached(static_cast<double>(cases)); });
+  bar.end();
+  say_counts(counts);
   return ExitCode::fine;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -44,12 +45,14 @@ struct SweepText {
   Sweep sweep;
 };
 
-/// Draws the cases and writes the folder, unless its name is empty. Throws SceneError where a scene
-/// of the template is none, UsageError where the cases run out, OutputError and Interrupted.
+/// Draws the cases and writes the folder, unless its name is empty; `progress` is told how many
+/// there are. Throws SceneError where a scene of the template is none, UsageError where the cases
+/// run out, OutputError and Interrupted.
 PlanCounts make_plan(const SweepText& text,
                      const std::string& folder,
                      int threads,
-                     const StopSignal& stop);
+                     const StopSignal& stop,
+                     const std::function<void(long cases)>& progress);
 
 /// A plan that was made.
 class Plan {

@@ -161,7 +161,8 @@ class Admission {
 /// Draws the cases and hands on the lines of the manifest.
 PlanCounts draw_cases(const Sweep& sweep,
                       const Workforce& workforce,
-                      const std::function<void(const std::string&)>& write) {
+                      const std::function<void(const std::string&)>& write,
+                      const std::function<void(long cases)>& progress) {
   const Judge judge(sweep);
   Admission admission(sweep);
   const long end = judge.design().size().value_or(std::numeric_limits<long>::max());
@@ -172,6 +173,7 @@ PlanCounts draw_cases(const Sweep& sweep,
       [&](long number) { return judge.candidate(number); },
       [&](Candidate candidate) {
         write(admission.admit(std::move(candidate)));
+        progress(admission.counts().cases);
         enough = admission.complete();
       });
   if (admission.counts().cases == 0) throw UsageError("every case is rejected");
@@ -211,16 +213,21 @@ std::string plan_json(const SweepText& text,
 PlanCounts make_plan(const SweepText& text,
                      const std::string& folder,
                      int threads,
-                     const StopSignal& stop) {
+                     const StopSignal& stop,
+                     const std::function<void(long cases)>& progress) {
   const Workforce workforce{thread_count(threads), [&stop] { stop.check(); }};
-  if (folder.empty()) return draw_cases(text.sweep, workforce, [](const std::string&) {});
+  if (folder.empty()) {
+    const auto nowhere = [](const std::string&) {};
+    return draw_cases(text.sweep, workforce, nowhere, progress);
+  }
   NewFolder plan(folder);
   Sha256 digest;
   TextOutput manifest(plan.file(manifest_name));
-  PlanCounts counts = draw_cases(text.sweep, workforce, [&](const std::string& line) {
+  const auto write = [&](const std::string& line) {
     digest.add(line);
     manifest.write(line);
-  });
+  };
+  PlanCounts counts = draw_cases(text.sweep, workforce, write, progress);
   manifest.finish();
   write_text(plan.file(plan_file_name("sweep", text.file.text)), text.file.text);
   if (!text.sweep.scene_inline)

@@ -38,11 +38,8 @@ Sweep parse_sweep(const SceneText& sweep,
   describe(reader, entries);
   reader.finish();
   const bool balanced = entries.balance.stands || entries.balance.falls || entries.balance.moves;
-  if (cases && balanced) {
-    share_out(*cases, entries.balance);
-  } else if (cases) {
-    entries.cases = cases;
-  }
+  if (cases && balanced) share_out(*cases, entries.balance);
+  if (cases) entries.cases = cases;
   return read_sweep(entries, source, scene);
 }
 

@@ -93,7 +93,8 @@ std::vector<std::string> command(FilmFormat format,
                                  const std::string& palette,
                                  const std::string& output) {
   std::vector<std::string> arguments;
-  add_all(arguments, {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y"});
+  // Without -xerror it takes a film that it could not write to its end for a success.
+  add_all(arguments, {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-xerror"});
   add_input(arguments, settings, yuv);
   if (!palette.empty()) add_all(arguments, {"-i", palette});
   add_all(arguments, {"-an"});

@@ -1,5 +1,6 @@
 // Cubes and fixed boxes, and what is drawn on them: rods, masses, contacts, names.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -172,44 +173,108 @@ void add_contacts(const FrameParts& parts) {
   }
 }
 
-// In the middle where it is free, else above or below it, else in a corner of the body.
+namespace {
+
+/// Whether a text of this half size around this middle, in pixels, lies on the body: none of their four directions
+/// separates them.
+bool lies_on(const FrameParts& parts,
+             const SnapshotBox& box,
+             const Vec2& middle,
+             const Vec2& half) {
+  const Vec2 along(axis_of(box).x(), -axis_of(box).y());
+  const Vec2 across = perp(along);
+  const Vec2 apart = parts.view.to_pixel(box.center) - middle;
+  const Vec2 half_box = 0.5 * parts.view.pixels_per_metre * box.size;
+  return std::ranges::all_of(
+      std::array{Vec2(1.0, 0.0), Vec2(0.0, 1.0), along, across}, [&](const Vec2& direction) {
+        const double reach = half.dot(direction.cwiseAbs())
+                             + half_box.x() * std::abs(along.dot(direction))
+                             + half_box.y() * std::abs(across.dot(direction));
+        return std::abs(apart.dot(direction)) < reach;
+      });
+}
+
+/// Beside the long sides of a body too thin for its name, where no body is.
+void add_name_beside(const FrameParts& parts, const SnapshotBox& box) {
+  const double size = parts.style.text_size * parts.unit;
+  const Vec2 half(0.5 * parts.font.width(box.name, size), 0.48 * size);
+  const double ppm = parts.view.pixels_per_metre;
+  const bool wide = box.size.x() > box.size.y();
+  const Vec2 side(axis_of(box).x(), -axis_of(box).y());
+  const Vec2 along = wide ? side : perp(side);
+  const Vec2 away = perp(along);
+  const double gap = 0.5 * ppm * box.size.minCoeff() + half.dot(away.cwiseAbs()) + 3.0 * parts.unit;
+  std::vector<Pixel> places;
+  for (const double share : {0.0, 0.2, -0.2, 0.4, -0.4}) {
+    for (const double way : {gap, -gap}) {
+      const Vec2 middle =
+          parts.view.to_pixel(box.center) + share * ppm * box.size.maxCoeff() * along + way * away;
+      const bool covered = std::ranges::any_of(parts.snapshot.boxes, [&](const SnapshotBox& other) {
+        return lies_on(parts, other, middle, half);
+      });
+      if (!covered) {
+        places.push_back({static_cast<float>(middle.x() - half.x()),
+                          static_cast<float>(middle.y() + 0.36 * size)});
+      }
+    }
+  }
+  parts.labels.place({box.name,
+                      {},
+                      static_cast<float>(size),
+                      parts.style.ink,
+                      parts.style.halo,
+                      static_cast<float>(2.0 * parts.unit)},
+                     places, parts.font, parts.list);
+}
+
+/// In the middle where it is free, else above or below it, else in a corner of the body; false where it does not fit.
+bool add_name_inside(const FrameParts& parts, const SnapshotBox& box, Color fill) {
+  const double full = parts.style.text_size * parts.unit;
+  const double ppm = parts.view.pixels_per_metre;
+  const bool level = std::abs(axis_of(box).x()) > 0.7;
+  const double upright = level ? box.size.x() : box.size.y();
+  const double high = level ? box.size.y() : box.size.x();
+  const bool flat = high * ppm > 1.4 * full;
+  const double room = name_room * ppm * (flat ? upright : std::min(upright, high));
+  const double width = parts.font.width(box.name, full);
+  const double size = full * std::clamp(room / width, smallest_name, 1.0);
+  const double shown = parts.font.width(box.name, size);
+  if (shown > room || 1.1 * size > high * ppm) return false;
+  TextShape text;
+  text.text = box.name;
+  text.size = static_cast<float>(size);
+  text.color = brightness(fill) > 0.45 ? rgb(0x10161E) : rgb(0xFFFFFF);
+  text.halo = fill;
+  text.halo_width = static_cast<float>(2.0 * parts.unit);
+  const Pixel center = parts.pixel(box.center);
+  const double down = std::max(0.5 * (high * ppm - 1.5 * size), 0.0);
+  const double aside = std::max(0.5 * (upright * ppm - 1.1 * shown), 0.0);
+  std::vector<Pixel> places;
+  for (const auto& [x, y] :
+       {std::pair(0.0, 0.0), std::pair(0.0, 0.55), std::pair(0.0, 1.0), std::pair(0.0, -0.55),
+        std::pair(0.0, -1.0), std::pair(-1.0, 0.0), std::pair(1.0, 0.0), std::pair(-1.0, 1.0),
+        std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)}) {
+    places.push_back({center.x + static_cast<float>(x * aside - 0.5 * shown),
+                      center.y + static_cast<float>(y * down + 0.36 * size)});
+  }
+  parts.labels.place(std::move(text), places, parts.font, parts.list);
+  return true;
+}
+
+}  // namespace
+
 void add_names(const FrameParts& parts) {
   for (std::size_t i = 0; i < parts.snapshot.boxes.size(); ++i) {
     const SnapshotBox& box = parts.snapshot.boxes[i];
     if (!visible(parts, box) || box.name.empty()) continue;
-    const double full = parts.style.text_size * parts.unit;
-    const double ppm = parts.view.pixels_per_metre;
-    const bool level = std::abs(axis_of(box).x()) > 0.7;
-    const double upright = level ? box.size.x() : box.size.y();
-    const double high = level ? box.size.y() : box.size.x();
-    const bool flat = high * ppm > 1.4 * full;
-    const double room = name_room * ppm * (flat ? upright : std::min(upright, high));
-    const double width = parts.font.width(box.name, full);
-    const double size = full * std::clamp(room / width, smallest_name, 1.0);
-    const double shown = parts.font.width(box.name, size);
-    if (shown > room || 1.1 * size > high * ppm) {
+    if (add_name_inside(parts, box, parts.colors[i])) continue;
+    const double width = parts.font.width(box.name, parts.style.text_size * parts.unit);
+    const bool is_long = box.size.maxCoeff() * parts.view.pixels_per_metre > width;
+    if (is_long && !is_crowd(parts.snapshot)) {
+      add_name_beside(parts, box);
+    } else {
       ++parts.list.labels_left_out;
-      continue;
     }
-    const Color fill = parts.colors[i];
-    TextShape text;
-    text.text = box.name;
-    text.size = static_cast<float>(size);
-    text.color = brightness(fill) > 0.45 ? rgb(0x10161E) : rgb(0xFFFFFF);
-    text.halo = fill;
-    text.halo_width = static_cast<float>(2.0 * parts.unit);
-    const Pixel center = parts.pixel(box.center);
-    const double down = std::max(0.5 * (high * ppm - 1.5 * size), 0.0);
-    const double aside = std::max(0.5 * (upright * ppm - 1.1 * shown), 0.0);
-    std::vector<Pixel> places;
-    for (const auto& [x, y] :
-         {std::pair(0.0, 0.0), std::pair(0.0, 0.55), std::pair(0.0, 1.0), std::pair(0.0, -0.55),
-          std::pair(0.0, -1.0), std::pair(-1.0, 0.0), std::pair(1.0, 0.0), std::pair(-1.0, 1.0),
-          std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)}) {
-      places.push_back({center.x + static_cast<float>(x * aside - 0.5 * shown),
-                        center.y + static_cast<float>(y * down + 0.36 * size)});
-    }
-    parts.labels.place(std::move(text), places, parts.font, parts.list);
   }
 }
 

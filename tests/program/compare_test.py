@@ -34,6 +34,11 @@ class Compare(ProgramTest):
         self.assertRegex(done.stdout, r"^different: \d+ pixels .*largest difference \d+ at \(\d+, \d+\), within")
         self.assertEqual(png_size(self.path("new/d.png")), (3 * 200 + 4 * 12, 120 + 26 + 12))
 
+    def test_the_difference_replaces_no_picture_that_is_compared(self):
+        for expected, actual, output in (("a/one.png", "b/one.png", "a/../a/one.png"), ("a/one.png", "b/one.png", "b/one.png"), ("a", "b", "a/")):
+            done = self.expect(2, "compare", expected, actual, "-o", output)
+            self.assertIn(f"{output} is read and would be replaced", done.stderr)
+
     def test_the_report_names_the_worst_place(self):
         self.draw("b/one.png", STANDING, "--layers", "cubes,hud")
         picture = self.report(1, "a/one.png", "b/one.png")["pictures"][0]

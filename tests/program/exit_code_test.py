@@ -62,6 +62,12 @@ class Usage(ProgramTest):
                 self.assertIn(words, self.refuse(*arguments))
         self.assertIn("wuerfel run --help", self.refuse("run", scene, "--untill", "3"))
 
+    def test_values_that_are_missing_or_too_many_are_told_in_plain_words(self):
+        scene = self.scene(FLYING)
+        for arguments, message in {("--theme", "dark", "--theme", "light"): "--theme is given more than once",
+                                   ("--until",): "--until needs a value, T", ("--json=3",): "--json takes no value"}.items():
+            self.assertEqual(self.refuse("run", scene, *arguments), f"wuerfel: {message} (see wuerfel run --help)\n")
+
     def test_numbers_beyond_all_use_are_refused(self):
         scene = self.scene(FLYING)
         for arguments in (("--strip", "2147483647x2"), ("--strip", "65536x65536"), ("--strip", "2x2", "--scale", "1e9"),

@@ -58,6 +58,8 @@ class Endless(ProgramTest):
     def test_long_work_says_how_much_it_will_write(self):
         done = self.expect(0, "run", self.scene(STANDING), "--until", "200", "--states", "s.csv", timeout=60)
         self.assertRegex(done.stderr, r"wuerfel: 12001 frames, about \d+ MB on disk")
+        done = self.expect(0, "run", self.scene(STANDING), "--until", "200", "-o", "f.apng", "--size", "16x16", timeout=60)
+        self.assertRegex(done.stderr, r"wuerfel: 12001 frames, about [1-9]\d+ kB on disk")
         self.assertEqual(self.expect(0, "run", self.scene(STANDING), "--until", "200", "--states", "s.csv", "--quiet").stderr, "")
 
     def test_what_no_disk_holds_is_refused_before_it_begins(self):

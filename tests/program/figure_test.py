@@ -123,9 +123,9 @@ class Formats(ProgramTest):
 
     def test_names_without_room_are_told(self):
         scene = self.scene({**STANDING, "cube": [{"name": "a" * 60, "size": 0.1, "position": [0, 0.05]}]})
-        for command in (("figure", scene, "-o", "f.png"), ("run", scene, "--until", "0.1", "-o", "f/")):
+        for command, what in ((("figure", scene, "-o", "f.png"), "1 label"), (("run", scene, "--until", "0.1", "-o", "f/"), "up to 1 label of a frame")):
             done = self.expect(0, *command, "--layers", "cubes,names", *SMALL)
-            self.assertIn("no room", done.stderr)
+            self.assertIn(f"note: {what} has no room and is left out", done.stderr)
         summary = self.expect(0, "run", scene, "--until", "0.1", "-o", "f/", "--layers", "cubes,names", "--json", *SMALL)
         self.assertIn("no room", summary.stdout)
 

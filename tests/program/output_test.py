@@ -151,6 +151,18 @@ class Films(ProgramTest):
         self.assertIn("ffmpeg", done.stderr)
         self.assertEqual(self.files(), ["bin", "scene.json"])
 
+    def test_a_film_that_has_no_room_for_its_end_is_none(self):
+        os.mkdir(self.path("bin"))
+        with open(self.path("bin/ffmpeg"), "w") as full:  # writing fails and no signal comes, as on a full disk
+            full.write(f'#!/bin/sh\ntrap "" XFSZ\nulimit -f 3\nexec {shutil.which("ffmpeg")} "$@"\n')
+        os.chmod(self.path("bin/ffmpeg"), 0o755)
+        for film in ("f.mp4", "f.webm", "f.gif"):
+            with self.subTest(film):
+                done = self.expect(5, "run", self.scene(FLYING), "-o", film, "--fps", "20",
+                                   env={**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
+                self.assertIn(f"ffmpeg failed on {film}: ", done.stderr)
+                self.assertEqual(self.files(), ["bin", "scene.json"])
+
 
 class Unwritable(ProgramTest):
     def test_it_is_noticed_before_the_work(self):
@@ -188,6 +200,18 @@ class Unwritable(ProgramTest):
         os.mkdir(self.path("d.mp4"))
         self.assertIn("is a folder", self.expect(5, "run", self.scene(FLYING), "-o", "d.mp4", *SMALL).stderr)
         self.assertEqual(self.files("d.mp4"), [])
+
+    def test_a_scene_is_not_replaced_by_what_is_made_of_it(self):
+        scene = self.scene(FLYING)
+        before = self.content("scene.json")
+        for option in ("--summary", "--states", "--forces", "--events", "--failed-programs", "--checkpoint"):
+            done = self.expect(2, "run", scene, option, "./scene.json", *SMALL)
+            self.assertIn("scene.json is read and would be replaced", done.stderr)
+        self.assertEqual(self.content("scene.json"), before)
+
+    def test_frames_may_go_to_a_folder_with_the_name_of_a_shipped_scene(self):
+        for _ in range(2):
+            self.expect(0, "run", "tower", "-o", "tower/", "--until", "0", *SMALL)
 
     def test_devices_are_written_to_and_not_replaced(self):
         self.expect(0, "run", self.scene(FLYING), "--states", "/dev/null", "--summary", "/dev/null")

@@ -89,6 +89,10 @@ class Reproduce(ProgramTest):
         self.expect(0, "reproduce", "f.png", "-o", "g.png")
         self.assertEqual(png_chunks(self.path("f.png")), png_chunks(self.path("g.png")))
 
+    def test_the_picture_made_again_does_not_replace_the_one_it_is_compared_with(self):
+        self.expect(0, "figure", self.scene(STANDING), "-o", "f.png", *SMALL)
+        self.assertIn("f.png is read and would be replaced", self.expect(2, "reproduce", "f.png", "-o", "f.png").stderr)
+
     def replace_text(self, name, key, old, new):
         """Writes the picture anew with one of its texts changed."""
         chunks = png_chunks(self.path(name))

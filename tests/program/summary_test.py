@@ -126,12 +126,19 @@ class Streams(ProgramTest):
     def test_options_that_do_nothing_are_noted(self):
         for arguments, words in ((("--size", "64x64"), "--size does nothing without -o"),
                                  (("-o", "f/", "--rod-scale", "2"), "without the layer rod-forces"),
+                                 (("-o", "f/", "--layers", "cubes", "--legend", "cut"), "--legend does nothing without the layer hud"),
+                                 (("--threads", "2"), "--threads does nothing for one scene"),
                                  (("-o", "f.apng", "--encoder", "libpng"), "without a folder"),
                                  (("-o", "f.mp4", "--size", "65x64"), "f.mp4 is 66x64"),
                                  (("-o", "f.mp4", "--theme", "transparent"), "no transparency")):
             with self.subTest(arguments):
                 notes = self.summary(FLYING, "--until", "0.05", *arguments)["notes"]
                 self.assertTrue(any(words in note for note in notes), notes)
+
+    def test_samples_that_nobody_gets_are_noted(self):
+        sampled = ("run", self.scene(FLYING), "--until", "0.05", "--sample", "0.05")
+        self.assertIn("--sample does nothing without --json or --summary", self.expect(0, *sampled).stderr)
+        self.assertEqual(self.expect(0, *sampled, "--summary", "s.json").stderr, "")
 
     def test_the_summary_goes_to_a_file_too(self):
         s = self.summary(FLYING, "--summary", "s.json")

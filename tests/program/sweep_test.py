@@ -218,6 +218,17 @@ verdicts = ["falls"]
         self.assertEqual((verdicts.count("stands"), verdicts.count("falls")), (5, 2))
         self.assertLessEqual({case["id"] for case in self.manifest("few")}, {case["id"] for case in self.manifest("all")})
 
+    def test_another_number_is_taken_where_the_file_gives_the_number_beside_the_balance(self):
+        self.plan(SWEEP + "[balance]\nstands = 16\nfalls = 8\n", "few", "--cases", "6")
+        self.assertEqual(len(self.manifest("few")), 6)
+
+    def test_a_long_plan_tells_how_far_it_is(self):
+        text = SWEEP.replace("cases = 24", "cases = 20000").replace("[labels]", "[reject]\nmargin_below = 1e-3\n[labels]")
+        with subprocess.Popen([self.program, "sweep", "plan", self.sweep(text), "--dry-run", "--jobs", "1"], stderr=subprocess.PIPE, text=True) as process:
+            line = process.stderr.readline()
+            process.terminate()
+        self.assertRegex(line, r"^drawing +\d+ %  \d+ of 20000 cases  \d+ cases/s")
+
     def test_a_dry_run_writes_nothing(self):
         done = self.expect(0, "sweep", "plan", self.sweep(), "--dry-run")
         self.assertIn("24 cases", done.stderr)

@@ -170,6 +170,18 @@ TEST_F(Composition, PressureHasItsNumberWithAndWithoutArrows) {
   EXPECT_NE(std::ranges::find(alone, "20.0 N"), alone.end()) << "below the middle";
 }
 
+TEST_F(Composition, WithoutArrowsTheNumberOfACornerStandsBesideIt) {
+  snapshot.joints.resize(1);
+  SnapshotJoint& corner = snapshot.joints.front();
+  corner.from = corner.to = corner.point;
+  const DrawList list = compose({Layer::cubes, Layer::joints});
+  ASSERT_EQ(list.texts.size(), 1U);
+  const internal::Area area = internal::text_area(list.texts.front(), font);
+  const Vec2 place = view.to_pixel(corner.point);
+  EXPECT_NEAR(std::clamp(place.x(), area.left, area.right), place.x(), 16.0);
+  EXPECT_NEAR(std::clamp(place.y(), area.top, area.bottom), place.y(), 16.0);
+}
+
 TEST_F(Composition, NumbersKeepOffTheGroundLine) {
   for (const TextShape& text :
        compose({Layer::cubes, Layer::forces, Layer::weights, Layer::values}).texts) {

@@ -26,6 +26,27 @@ TEST_F(Composition, NamesThatDoNotFitAreLeftOutAndCounted) {
   EXPECT_GE(list.labels_left_out, 1);
 }
 
+TEST_F(Composition, NamesOfThinBodiesStandBesideThem) {
+  SnapshotBox plank = snapshot.boxes[0];
+  plank.name = "plank";
+  plank.size = Vec2(2.0, 0.02);
+  plank.center = Vec2(0.0, 4.0);
+  SnapshotBox above = plank;  // leaves no room between
+  above.name = "other";
+  above.center.y() += 0.1;
+  snapshot.boxes = {plank, above};
+  snapshot.rods.clear();
+  const DrawList list = compose({Layer::cubes, Layer::names});
+  const double at = view.to_pixel(plank.center).y();
+  const auto baseline = [&](std::string_view name) {
+    const auto text = std::ranges::find(list.texts, name, &TextShape::text);
+    return text == list.texts.end() ? at : static_cast<double>(text->baseline.y);
+  };
+  EXPECT_GT(baseline("plank"), at + 6.0) << "below, where its neighbour is not";
+  EXPECT_LT(baseline("other"), at - 6.0);
+  EXPECT_EQ(list.labels_left_out, 0);
+}
+
 TEST_F(Composition, LayerThatIsOffLeavesNothing) {
   EXPECT_TRUE(compose({Layer::forces}).boxes.empty());
   EXPECT_TRUE(compose({Layer::cubes}).arrows.empty());
