@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>

@@ -168,33 +168,6 @@ TEST(Stepping, WhatHoldsAgainstABounceDoesNotPushBeyondIt) {
   }
 }
 
-struct FlushLanding {
-  Vec2 size;
-  double angle;
-  double height;  ///< of the centre, m
-  double speed;   ///< along the floor, m/s
-  double t;       ///< s, after the landing
-};
-
-// A box falls on a corner and over onto its side, which lands flush. Its corners land at different places of a step, or the
-// second one in the next, and what the box is left with is the same.
-TEST(Stepping, AFlushLandingThatRubsDoesNotDependOnWhereInAStepItIs) {
-  const FlushLanding landings[] = {
-      {{1.0901627098737143, 1.024794198782435}, 0.41833821088508105, 1.2896459130897786, 1.0, 0.9},
-      {{1.1235014341510339, 0.9348965085915031}, 0.33663972951202825, 1.2267663421046857, 1.0, 0.9},
-      {{0.7479835334705695, 1.2964819536071697}, 0.5989280842493486, 0.7462490531399684, 0.0, 1.2},
-      {{0.9410855392687633, 1.2818360626818264}, -0.502096797559392, 1.0882685398457825, 0.0, 1.2}};
-  for (const FlushLanding& landing : landings) {
-    Scene scene;
-    scene.planes = {{"floor", Vec2::Zero(), Vec2::UnitY(), {0.1, 0.0}}};
-    scene.cubes = {sized_cube("a", {0.0, landing.height}, landing.size, landing.angle)};
-    scene.cubes[0].velocity.x() = landing.speed;
-    scene.cubes[0].material = scene.planes[0].material;
-    for (const double step : {1.0 / 240.0, 0.001, 0.00025})
-      EXPECT_LT(velocity_error_of(scene, step, landing.t), 0.01) << landing.angle << " " << step;
-  }
-}
-
 TEST(Stepping, PilesThatRubComeToRestByALawThatIsExact) {
   Scene scene = bin_scene(14, 4.0, 12.0, 2);
   for (SceneCube& cube : scene.cubes)

@@ -36,16 +36,14 @@ void Landing::find_touching(Stride& stride, Bookkeeping& book) {
   add_blows(*system_, removal_->near().start_boxes(), contacts_, *stride_);
 }
 
-/// What bounces is judged by the speed at which it closes, what rubs in a blow by what is slid then and not before: a blow
-/// that the placement has taken is left to the impact law, and so is what others have done against it. Where rods pass blows
-/// on, what they did is not taken back, and only blows that bounce are.
+/// What bounces is judged by the speed at which it closes: a blow that the placement has taken it from is left to the
+/// impact law, and so is what others have done against it. Where rods pass blows on, what others and they did is not taken back.
 void Landing::strike_anew(State& state) {
   const std::vector<ContactId> near = sorted_ids(contacts_);
   const auto is_far = [&](const Contact& c) { return !std::ranges::binary_search(near, c.id()); };
-  const auto strikes = [&](const Contact& c, bool or_rubs) {
+  const auto bounces = [&](const Contact& c) {
     const Contact& start = stride_->blows.at(c.id()).start;
-    const Material surface = system_->surface(start.on, start.from);
-    return (surface.restitution > 0.0 || (or_rubs && surface.friction > 0.0))
+    return system_->surface(start.on, start.from).restitution > 0.0
            && closing_speed(*system_, *stride_, start) > impact_steps;
   };
   std::vector<Island> islands;
@@ -53,9 +51,8 @@ void Landing::strike_anew(State& state) {
   for (const Island& island : islands) {
     const bool joined = !island.rods.empty();
     std::vector<Contact> anew = island.contacts;
-    std::erase_if(anew,
-                  [&](const Contact& c) { return is_far(c) || (joined && !strikes(c, false)); });
-    if (std::ranges::none_of(anew, [&](const Contact& c) { return strikes(c, !joined); })) continue;
+    std::erase_if(anew, [&](const Contact& c) { return is_far(c) || (joined && !bounces(c)); });
+    if (std::ranges::none_of(anew, bounces)) continue;
     take_back(anew, state);
     // Without them others, as in a wedge, push too hard.
     if (is_faster_than_free(island, state)) take_back(island.contacts, state);
@@ -101,7 +98,7 @@ bool Landing::is_faster_than_free(const Island& island, const State& state) cons
 }
 
 void Landing::strike(State& state, Bookkeeping& book) {
-  if (system_->bounces || system_->rubs) strike_anew(state);
+  if (system_->bounces) strike_anew(state);
   hit(state, book);
   resting_->find(*stride_, islands_, state);
 }
