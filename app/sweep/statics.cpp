@@ -12,7 +12,7 @@ const std::optional<StillScene>& Statics::still() {
     still_.emplace();
     const Verdict verdict = check().verdict;
     if (verdict == Verdict::stands || verdict == Verdict::falls)
-      still_->emplace(still_scene(scene_, {}));
+      still_->emplace(stopped_scene(scene_, {}));
   }
   return *still_;
 }

@@ -294,6 +294,17 @@ class Samples(Sweep):
         self.assertIn("5 samples made again, 0 differences", done.stdout)
         subprocess.run(["sha256sum", "--quiet", "-c", "SHA256SUMS"], cwd=self.path("a"), check=True)
 
+    def test_what_rests_after_the_impact_at_its_start_has_a_margin(self):
+        self.plan('version = 1\nname = "hits"\ncases = 2\n[scene]\nplane = [{}]\n'
+                  'cube = [{ name = "a", position = [0.0, 0.5], velocity = [0.0, -1.0] }]\n'
+                  '[[vary]]\nkey = "cube.a.mass"\nuniform = [1.0, 2.0]\n[labels]\ncheck = ["verdict", "margin", "weakest"]\n')
+        self.expect(0, "sweep", "run", "plan")
+        self.merged("plan", "data")
+        rows = list(csv.DictReader(self.content("data/labels.csv").splitlines()))
+        self.assertEqual([(row["verdict"], row["weakest"]) for row in rows], 2 * [("stands", "a")])
+        for row in rows:
+            self.assertAlmostEqual(float(row["margin"]), 0.5, delta=1e-12)
+
     def test_samples_hold_what_the_program_says_of_their_scenes(self):
         self.plan(SWEEP + PICTURES)
         self.expect(0, "sweep", "run", "plan")
