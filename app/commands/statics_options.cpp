@@ -65,6 +65,7 @@ MarginRequest parse_margins(const std::string& text) {
 
 std::vector<int> cubes_named(const Scene& scene, const std::vector<std::string>& names) {
   std::vector<int> cubes;
+  cubes.reserve(names.size());
   for (const std::string& name : names)
     cubes.push_back(moving_number(scene, "--bodies", name));
   return cubes;
