@@ -22,7 +22,7 @@ inline void load(const Quad* A, Columns& to) {
 
 /// C -= A B', blocks of three columns.
 inline void subtract_product(const Quad* A, const Quad* B, Quad* C) {
-  Columns a;
+  Columns a{};
   load(A, a);
   for (int c = 0; c < 3; ++c) {
     Column column;
@@ -84,7 +84,7 @@ inline int invert(const Quad* A, Quad* X) {
 
 /// C := C X, three columns each.
 inline void multiply(Quad* C, const Quad* X) {
-  Columns columns;
+  Columns columns{};
   load(C, columns);
   for (int c = 0; c < 3; ++c)
     store((columns.c0 * X[c].v[0] + columns.c1 * X[c].v[1]) + columns.c2 * X[c].v[2], C[c]);
@@ -98,7 +98,7 @@ inline void transpose(Quad* A) {
 
 /// column -= A x
 inline void subtract_product(const Quad* A, const double* x, Column& column) {
-  Columns a;
+  Columns a{};
   load(A, a);
   column -= (a.c0 * x[0] + a.c1 * x[1]) + a.c2 * x[2];
 }
@@ -181,7 +181,7 @@ WUERFEL_CLONES void BlockLu::solve(Quad* v) const {
     load(v[j], t);
     for (int q = start[j] + 1; q < start[j + 1]; ++q)
       subtract_product(upper_.data() + 3 * q, v[row[q]].v, t);
-    Columns X;
+    Columns X{};
     load(inverse_.data() + 3 * j, X);
     store((X.c0 * t[0] + X.c1 * t[1]) + X.c2 * t[2], v[j]);
   }
