@@ -157,6 +157,7 @@ WUERFEL_CLONES bool BlockLu::factorise() {
     for (int q = diagonal + 1; q < end; ++q)
       multiply(lower_.data() + 3 * q, X);
   }
+  // Rows were read by entries until now; `solve` adds up columns.
   for (std::size_t q = 0; q < pattern_.row.size(); ++q)
     transpose(upper_.data() + 3 * q);
   return regular;

@@ -26,7 +26,7 @@ class BlockLu {
   void set_identity();
   /// Three columns of block (row, column) at a place.
   [[nodiscard]] Quad* lower(int place) { return lower_.data() + 3 * place; }
-  /// Three columns of the transpose of block (column, row) at a place below the diagonal.
+  /// Three columns of the transpose of block (column, row) at a place below the diagonal, until it is factorised.
   [[nodiscard]] Quad* upper(int place) { return upper_.data() + 3 * place; }
   /// Factorises in place; false where a pivot vanished.
   bool factorise();
