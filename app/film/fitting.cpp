@@ -40,6 +40,8 @@ Bounds bounds_of(const PictureOptions& options, const Recording& motion) {
       }
     }
   });
+  for (const SnapshotBox& box : motion.besides())
+    bounds.include(box);
   return bounds;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "app/cli/progress.h"
@@ -72,6 +73,9 @@ class Recording {
       : source_(&source), limit_(limit) {}
 
   void add(Snapshot snapshot);
+  /// Boxes that pictures show besides those of the frames, and that views have room for.
+  void add_besides(std::vector<SnapshotBox> boxes) { besides_ = std::move(boxes); }
+  [[nodiscard]] const std::vector<SnapshotBox>& besides() const { return besides_; }
   /// What scales fit: forces and loads of the frames chosen for it, and all else of all frames.
   [[nodiscard]] MotionRange range() const;
   /// Of all frames.
@@ -121,6 +125,7 @@ class Recording {
   MotionRange seen_;
   Snapshot first_;
   std::vector<Frame> frames_;
+  std::vector<SnapshotBox> besides_;
   std::size_t bytes_ = 0;
 };
 

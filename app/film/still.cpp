@@ -14,6 +14,7 @@
 #include "app/film/trails.h"
 #include "core/scene/scene_parser.h"
 #include "render/picture/compose_frame.h"
+#include "render/picture/view.h"
 #include "render/raster/renderer.h"
 
 namespace wuerfel {
@@ -165,6 +166,16 @@ std::vector<SnapshotBox> ghosts_of(const Scene& scene,
   return ghosts;
 }
 
+/// Boxes of `extras` in places where no frame has to have one.
+std::vector<SnapshotBox> boxes_elsewhere(const Snapshot& first, const Snapshot& extras) {
+  std::vector<SnapshotBox> boxes = extras.ghosts;
+  if (!extras.reason) return boxes;
+  for (const SnapshotReason::Fix& fix : extras.reason->fixes)
+    for (const int number : fix.moved)
+      boxes.push_back(moved_by(first.boxes[number], fix.way));
+  return boxes;
+}
+
 FigureTexts texts_of(const Still& still, const Snapshot& first) {
   FigureTexts texts;
   texts.title = first.title;
@@ -249,6 +260,7 @@ Still compose_still(const Scene& scene,
     motion.add(snapshot);
   });
   extras.ghosts = ghosts_of(scene, options, stop);
+  motion.add_besides(boxes_elsewhere(first, extras));
 
   const Filmed filmed{scene, motion, instants, first, extras};
   draw(filmed, options, font, still);

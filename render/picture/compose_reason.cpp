@@ -59,9 +59,8 @@ void add_moved_boxes(const FrameParts& parts) {
   const Color color = helping(parts);
   for (const SnapshotReason::Fix& fix : parts.snapshot.reason->fixes) {
     for (const int number : fix.moved) {
-      SnapshotBox box = parts.snapshot.boxes[number];
-      box.center += fix.way;
-      frame_box(parts, box, ghost_outline, color, with_alpha(color, ghost_fill));
+      frame_box(parts, moved_by(parts.snapshot.boxes[number], fix.way), ghost_outline, color,
+                with_alpha(color, ghost_fill));
     }
   }
 }

@@ -60,6 +60,12 @@ SnapshotBox moved_by(const SnapshotBox& box, const SnapshotMotion& motion, doubl
   return moved;
 }
 
+SnapshotBox moved_by(const SnapshotBox& box, const Vec2& way) {
+  SnapshotBox moved = box;
+  moved.center += way;
+  return moved;
+}
+
 double motion_scale(const Snapshot& snapshot) {
   constexpr double reach = 0.4;  // of a typical side
   double side = 0.0;

@@ -16,6 +16,7 @@ Vec2 axis_of(const SnapshotBox& box);
 
 /// A box that has followed its motion so far that the corner that moves most has moved by `reach` m.
 SnapshotBox moved_by(const SnapshotBox& box, const SnapshotMotion& motion, double reach);
+SnapshotBox moved_by(const SnapshotBox& box, const Vec2& way);
 /// m, that pictures move it by.
 double motion_scale(const Snapshot& snapshot);
 

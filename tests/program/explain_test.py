@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import re
 from xml.etree import ElementTree
 
 from program import FALLING, FLYING, LANDING, STANDING, ProgramTest, main, png_size, png_texts
@@ -246,6 +247,17 @@ class Explain(ProgramTest):
         self.assertTrue(any(text.startswith("cap moves") for text in texts), texts)
         self.assertTrue(any(text.startswith("pillar and cap together move") for text in texts), texts)
         self.assertLess(drawn.index('"causes"'), drawn.index('"fixes"'))
+
+    def test_a_picture_holds_what_a_fix_moves(self):
+        plank = {"version": 1, "fixed": [{"name": "post", "size": 0.5, "position": [0, -0.25]}],
+                 "cube": [{"name": "plank", "size": [4, 0.2], "on": "post"}]}
+        for side in (1, -1):
+            plank["cube"][0]["offset"] = 2.2 * side
+            self.expect(1, "explain", self.scene(plank), "-o", "why.png")
+            x, _, width = (float(number) for number in re.search(r"--view ([-\d.e]+),([-\d.e]+),([-\d.e]+)", png_texts(self.path("why.png"))["Options"]).groups())
+            # It is moved onto the edge of the post, and reaches 1.75 m to the other side.
+            self.assertLess(-side * x - width / 2, -1.75)
+            self.assertGreater(-side * x + width / 2, 1.75)
 
     def test_names_without_room_are_noted(self):
         long = {**FALLING, "cube": [{**cube, "name": "the one whose name is much too long for it " + cube["name"]}
