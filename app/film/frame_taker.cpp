@@ -25,9 +25,15 @@ std::map<std::string, int> numbers_of(const Snapshot& snapshot) {
 /// By this share of an average times of frames and of looks may differ that are one.
 constexpr double rounding = 1e-6;
 
-/// When the k-th look before a frame is; the 0-th is the frame itself.
+/// When the k-th look before a frame is; the 0-th is the frame itself. To the bit when the earlier frames of its film are,
+/// where a whole number of them make a second: at the end of a step forces may hang on rounding.
 double look_time(double frame, double average, int k) {
-  return frame - average * k / parts_of_average;
+  const double looks_per_second = parts_of_average * std::round(1.0 / average);
+  const double number = std::round(frame * looks_per_second);
+  const double close = rounding * average;
+  const bool of_film = std::abs(1.0 - looks_per_second * average / parts_of_average) < rounding
+                       && std::abs(frame - number / looks_per_second) < close;
+  return of_film ? (number - k) / looks_per_second : frame - average * k / parts_of_average;
 }
 
 /// How many looks the loads of a frame are averaged over.
@@ -35,12 +41,17 @@ int load_looks(const LookBack& back) {
   return static_cast<int>(std::lround(back.loads / back.average * parts_of_average));
 }
 
-/// Sums of joints, one for each pair of bodies; geometry is that of the latest look.
+/// Sums of joints, one for each pair of bodies; geometry is that of the latest look. What else is possible is known of the
+/// frame alone: whether an earlier look was a frame of its own is not to be seen.
 class JointSum {
  public:
-  void add(std::span<const SnapshotJoint> joints, double share) {
+  void add(std::span<const SnapshotJoint> joints, double share, bool of_frame) {
     for (SnapshotJoint joint : joints) {
       joint.force *= share;
+      if (!of_frame) {
+        joint.unique = true;
+        joint.range.reset();
+      }
       const auto [entry, is_new] =
           number_.emplace(std::minmax(joint.body, joint.other), sum_.size());
       if (is_new) {
@@ -92,8 +103,10 @@ std::vector<TimetableEntry> with_looks(std::vector<TimetableEntry> instants, con
         instant.sample ? std::max(parts_of_average, load_looks(back) - 1) : parts_of_average;
     for (int k = 1; k <= most; ++k) {
       const double t = look_time(instant.t, back.average, k);
-      const auto there = std::ranges::lower_bound(instants, t - same, {}, &TimetableEntry::t);
-      if (there->t <= t + same) {
+      // Nearly the same instant will do where many are averaged.
+      const double close = k > parts_of_average ? same : 0.0;
+      const auto there = std::ranges::lower_bound(instants, t - close, {}, &TimetableEntry::t);
+      if (there->t <= t + close) {
         there->look = true;
       } else if (t > -same) {
         looks.push_back({.t = std::max(t, 0.0), .look = true});
@@ -112,11 +125,11 @@ void FrameTaker::notice_impacts(const std::vector<Event>& events, double t) {
     impacts_.pop_front();
 }
 
-/// Nothing where nobody looked.
+/// The nearest; nothing where nobody looked.
 const FrameTaker::Look* FrameTaker::look_at(double t, double close) const {
   const auto look =
-      std::ranges::find_if(looks_, [&](const Look& of) { return std::abs(of.t - t) < close; });
-  return look == looks_.end() ? nullptr : &*look;
+      std::ranges::min_element(looks_, {}, [&](const Look& of) { return std::abs(of.t - t); });
+  return look == looks_.end() || std::abs(look->t - t) >= close ? nullptr : &*look;
 }
 
 std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const {
@@ -136,7 +149,7 @@ std::vector<SnapshotJoint> FrameTaker::averaged(const Snapshot& snapshot) const 
   if (own.size() < 2 || (steady && impacts_.empty())) return snapshot.joints;
   JointSum sum;
   for (const auto& [joints, weight] : own)
-    sum.add(*joints, weight / total);
+    sum.add(*joints, weight / total, joints == own.back().first);
   const std::map<std::string, int> number =
       impacts_.empty() ? std::map<std::string, int>{} : numbers_of(snapshot);
   for (const Event& impact : impacts_) {

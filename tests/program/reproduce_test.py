@@ -26,6 +26,15 @@ class Reproduce(ProgramTest):
         for name in self.files("f"):
             self.expect_identical("f/" + name)
 
+    def test_frames_of_a_crowd_that_is_stepped_can_be_made_alone(self):
+        # Frames fall on ends of steps, where forces hang on the last bit of the time; and bricks part between two frames.
+        hit = {"version": 1, "duration": 2, "material": {"friction": 0.5, "restitution": 0.2}, "plane": [{"name": "floor"}],
+               "wall": [{"name": "w", "rows": 6, "columns": 6, "base": [0, 0], "size": [0.5, 0.25], "bond": "running"}],
+               "cube": [{"name": "ball", "size": 0.4, "mass": 5, "position": [-3, 1.2], "velocity": [8, 1], "spin": 2}]}
+        self.expect(0, "run", self.scene(hit), "-o", "f/", "--until", "0.71", *SMALL)
+        for number in (28, 36, 38, 42):
+            self.expect_identical(f"f/frame_{number:06}.png")
+
     def test_layers_that_know_the_whole_motion_can_too(self):
         for arguments in (("--layers", EVERYTHING), ("--layers", "cubes,trails", "--speed", "0.3", "--fps", "25"),
                           ("--view", "follow:b", "--zoom", "1.7", "--scale", "2"), ("--force-scale", "0.03"),

@@ -40,6 +40,30 @@ TEST(Looks, LieBeforeTheirFrames) {
   EXPECT_EQ(with_looks(timetable(0.2, {0.0, 0.1, 0.2}, {}), {}).size(), 3U);
 }
 
+// At the end of a step forces may hang on the last bit of the time.
+TEST(Looks, OfOnePictureAreToTheBitThoseOfTheFilm) {
+  for (const FrameRate& rate : {FrameRate{60.0, 1.0}, {24.0, 1.0}, {60.0, 0.1}, {29.97, 0.7}}) {
+    const LookBack back{rate.speed / rate.fps};
+    const auto of_film = with_looks(timetable(1.0, frame_times(1.0, rate), {}), back);
+    for (const double t : frame_times(1.0, rate)) {
+      for (const TimetableEntry& look : with_looks({{.t = t, .frame = true}}, back)) {
+        EXPECT_TRUE(std::ranges::any_of(of_film,
+                                        [&](const TimetableEntry& instant) {
+                                          return instant.t == look.t
+                                                 && (instant.look || instant.frame);
+                                        }))
+            << rate.fps << ' ' << t << ' ' << look.t;
+      }
+    }
+  }
+}
+
+TEST(Looks, AtWholeRatesAreTheFramesBefore) {
+  const FrameRate rate;
+  const auto looks = with_looks(timetable(2.0, frame_times(2.0, rate), {}), {1.0 / rate.fps});
+  EXPECT_EQ(looks.size(), 121U + 120U);
+}
+
 TEST(Looks, AreNotTakenBeforeFramesOfPosesAlone) {
   auto instants = timetable(0.2, {0.0, 0.1, 0.2}, {});
   instants[1].bare = true;
