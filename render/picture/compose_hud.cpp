@@ -56,7 +56,8 @@ std::string energy_text(const Snapshot& snapshot) {
   const double change = snapshot.energy - snapshot.energy_start;
   if (std::abs(change) <= resolved * std::max(size, work)) return text;
   return text
-         + fmt::format(" ({}{})", change > 0.0 ? "+" : "−", energy_label(std::abs(change), 0.0));
+         + fmt::format(" ({}{})", change > 0.0 ? "+" : "−",
+                       energy_change_label(std::abs(change), size));
 }
 
 void add_head(const FrameParts& parts) {

@@ -33,6 +33,15 @@ Prefix prefix_of(double size) {
   return beyond ? Prefix{1.0, ""} : *found;
 }
 
+Prefix prefix_of_energy(double size) {
+  constexpr double shown_as_joule = 1e4;
+  return size >= 1.0 && size < shown_as_joule ? Prefix{1.0, ""} : prefix_of(size);
+}
+
+int decimals_of_energy(double of_prefix) {
+  return of_prefix >= 1000.0 ? 0 : of_prefix >= 100.0 ? 1 : 2;
+}
+
 }  // namespace
 
 std::string with_prefix(double value, std::string_view unit, int digits, Zeros zeros) {
@@ -59,14 +68,23 @@ std::string length_label(double metres) {
 }
 
 std::string energy_label(double joule, double size) {
-  constexpr double shown_as_joule = 1e4;
   const double about = std::max(std::abs(joule), size);
-  const Prefix prefix = about >= 1.0 && about < shown_as_joule ? Prefix{1.0, ""} : prefix_of(about);
+  const Prefix prefix = prefix_of_energy(about);
   const double of_prefix = about / prefix.factor;
   if (of_prefix > 1e5 || (about > 0.0 && of_prefix < 1e-3)) return fmt::format("{:.3g} J", joule);
-  const int decimals = of_prefix >= 1000.0 ? 0 : of_prefix >= 100.0 ? 1 : 2;
-  const std::string text = fmt::format("{:.{}f}", joule / prefix.factor, decimals);
-  return fmt::format("{} {}J", text, prefix.name);
+  return fmt::format("{:.{}f} {}J", joule / prefix.factor, decimals_of_energy(of_prefix),
+                     prefix.name);
+}
+
+std::string energy_change_label(double joule, double size) {
+  const double about = std::abs(joule);
+  const Prefix prefix = prefix_of_energy(std::max(about, size));
+  const double of_prefix = about / prefix.factor;
+  if (of_prefix > 1e5 || of_prefix < 1e-3)
+    return fmt::format("{:.3g} {}J", joule / prefix.factor, prefix.name);
+  const int decimals = of_prefix < 1.0 ? 2 - static_cast<int>(std::floor(std::log10(of_prefix)))
+                                       : decimals_of_energy(of_prefix);
+  return fmt::format("{:.{}f} {}J", joule / prefix.factor, decimals, prefix.name);
 }
 
 std::string time_label(double t, double interval) {

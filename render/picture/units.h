@@ -22,6 +22,9 @@ std::string length_label(double metres);
 /// Energy to a thousandth of `size`, so that the digits stand still while it changes.
 std::string energy_label(double joule, double size);
 
+/// Three digits of a change beside an energy of such a `size`, with its prefix.
+std::string energy_change_label(double joule, double size);
+
 /// Seconds to the millisecond, or finer where frames `interval` s apart, or the time itself, need it.
 std::string time_label(double t, double interval);
 

@@ -266,6 +266,9 @@ TEST_F(Composition, EnergyBelowRoundingIsNone) {
   EXPECT_EQ(energy(), "E = 100.0 J");
   snapshot.energy = 99.0;
   EXPECT_EQ(energy(), "E = 99.0 J (−1.00 J)");
+  snapshot.energy_start = 59.0982;
+  snapshot.energy = 58.61;
+  EXPECT_EQ(energy(), "E = 58.61 J (−0.488 J)");
 }
 
 TEST_F(Composition, TimeAndEnergyNeverMeet) {

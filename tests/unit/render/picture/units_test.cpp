@@ -29,6 +29,17 @@ TEST(Units, HavePrefixesBothWays) {
   EXPECT_EQ(energy_label(0.0, 0.0), "0.00 J");
 }
 
+TEST(Units, ChangesHaveThePrefixOfWhatChanges) {
+  using internal::energy_change_label;
+  EXPECT_EQ(energy_change_label(0.4882, 58.61), "0.488 J");
+  EXPECT_EQ(energy_change_label(0.0123, 58.61), "0.0123 J");
+  EXPECT_EQ(energy_change_label(1.0, 100.0), "1.00 J");
+  EXPECT_EQ(energy_change_label(124.9, 843.7), "124.9 J");
+  EXPECT_EQ(energy_change_label(7.8e-4, 58.61), "0.00078 J");
+  EXPECT_EQ(energy_change_label(12.5, 7.848e4), "0.0125 kJ");
+  EXPECT_EQ(energy_change_label(0.0019, 0.95), "1.90 mJ");
+}
+
 TEST(Units, TimesHaveTheDigitsThatTellFramesApart) {
   using internal::time_label;
   EXPECT_EQ(time_label(1.6, 1.0 / 60.0), "1.600 s");
