@@ -3,6 +3,8 @@
 #include <ctime>
 #include <sys/resource.h>
 
+#include "render/files/child_process.h"
+
 namespace wuerfel {
 
 namespace {
@@ -25,7 +27,8 @@ double cpu_of_children() {
 }
 
 double cpu_seconds(Stopwatch::Of whom) {
-  if (whom == Stopwatch::Of::thread) return cpu_of(CLOCK_THREAD_CPUTIME_ID);
+  if (whom == Stopwatch::Of::thread)
+    return cpu_of(CLOCK_THREAD_CPUTIME_ID) + cpu_of_children_of_thread();
   return cpu_of(CLOCK_PROCESS_CPUTIME_ID) + cpu_of_children();
 }
 

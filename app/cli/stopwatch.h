@@ -7,8 +7,8 @@ namespace wuerfel {
 
 class Stopwatch {
  public:
-  /// Whose processor time counts: that of all threads of this process and of the processes it has
-  /// waited for, or of the calling thread alone.
+  /// Whose processor time counts: that of all threads of this process or of the calling thread, and of
+  /// the processes that these have waited for.
   enum class Of { process, thread };
 
   explicit Stopwatch(Of whom = Of::process);

@@ -10,6 +10,9 @@
 
 namespace wuerfel {
 
+/// s of processor time of all that the calling thread has waited for.
+double cpu_of_children_of_thread();
+
 /// Started with an argument list, never through a shell. Its standard input is ours to write, its
 /// standard error is kept for messages, and it is not reached by signals of our terminal.
 class ChildProcess {

@@ -4,10 +4,12 @@
 #include <fstream>
 #include <functional>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
 #include "render/error.h"
+#include "render/files/child_process.h"
 #include "tests/unit/render/files/film_fixture.h"
 
 namespace wuerfel::internal {
@@ -45,6 +47,16 @@ class FakeFfmpeg : public Film {
   }
   std::string real_path;
 };
+
+TEST_F(FakeFfmpeg, CostsTheThreadThatWaitsForIt) {
+  install("i=0; while [ $i -lt 30000 ]; do i=$((i + 1)); done; cat > /dev/null; exit 3");
+  double other = 0.0;
+  const double before = cpu_of_children_of_thread();
+  failure();
+  std::jthread([&other] { other = cpu_of_children_of_thread(); }).join();
+  EXPECT_GT(cpu_of_children_of_thread(), before);
+  EXPECT_EQ(other, 0.0);
+}
 
 TEST_F(FakeFfmpeg, MissingIsAnErrorThatSaysWhatToInstall) {
   setenv("PATH", path("nowhere").c_str(), 1);
