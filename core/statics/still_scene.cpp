@@ -45,10 +45,6 @@ StillScene still_scene(const System& system, const State& state, const MotionSet
   return still;
 }
 
-StillScene still_scene(const Scene& scene, const MotionSettings& settings) {
-  return still_scene(make_system(scene), initial_state(scene), settings);
-}
-
 StillScene stopped_scene(const Scene& scene, const MotionSettings& settings) {
   State state = initial_state(scene);
   for (BodyState& s : state)

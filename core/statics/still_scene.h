@@ -31,10 +31,7 @@ struct StillScene {
   [[nodiscard]] bool is_level(const Vec2& normal) const;
 };
 
-/// Of a scene that `check` accepts.
-StillScene still_scene(const Scene& scene, const MotionSettings& settings);
-
-/// Of one that stands still once the impacts at its start are over, as `check` tells: of its place.
+/// Of a scene that stands still once the impacts at its start are over, as `check` tells: of its place.
 StillScene stopped_scene(const Scene& scene, const MotionSettings& settings);
 
 /// Of the same bodies elsewhere.

@@ -10,7 +10,7 @@
 
 namespace wuerfel::test {
 
-inline StillScene still(const Scene& scene) { return still_scene(scene, {}); }
+inline StillScene still(const Scene& scene) { return stopped_scene(scene, {}); }
 
 /// Unit cubes that overhang a table's edge at 0, the longest possible times 1 + eps: with n - i cubes
 /// from cube i on upwards the centre of these lies eps / 2 beyond the edge below.

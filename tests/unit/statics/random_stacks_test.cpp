@@ -47,7 +47,7 @@ TEST(RandomStacks, HaveTheMarginsOfAnExactSimplex) {
   ASSERT_EQ(stacks.size(), 200U);
   for (std::size_t k = 0; k < stacks.size(); ++k) {
     SCOPED_TRACE(k);
-    const StillScene still = still_scene(scene_of(stacks[k]), {});
+    const StillScene still = stopped_scene(scene_of(stacks[k]), {});
     const int body = stacks[k].at("body");
     const BodyMargin margin =
         find_margins(still, {}, {false, true, true, false, {body}}).bodies.front();

@@ -19,7 +19,7 @@ class Ranges : public testing::TestWithParam<std::string> {};
 
 TEST_P(Ranges, HaveAWidthWhereAForceIsNotTheOnlyOne) {
   const ReferenceCase reference = read_reference_case(GetParam());
-  const StillScene still = still_scene(reference.scene, {});
+  const StillScene still = stopped_scene(reference.scene, {});
   const ForceRanges ranges = find_ranges(still, {{}, false});
   const double weight = reference.weight();
   std::size_t k = 0;
@@ -50,12 +50,12 @@ TEST(ForceRanges, HaveTheDegreesOfTheReferenceCases) {
                                            {"hyper_beam_5tips_rider", 3}, {"hyper_wall_3x3", 6},
                                            {"hyper_wall_5x4", 20},        {"hyper_vgroove", 1}};
   for (const auto& [name, degree] : degrees)
-    EXPECT_EQ(find_ranges(still_scene(read_reference_case(name).scene, {})).degree, degree) << name;
+    EXPECT_EQ(find_ranges(stopped_scene(read_reference_case(name).scene, {})).degree, degree) << name;
 }
 
 TEST(ForceRanges, OfABeamOnThreeTips) {
   const ReferenceCase beam = read_reference_case("hyper_beam_3tips");
-  const ForceRanges ranges = find_ranges(still_scene(beam.scene, {}));
+  const ForceRanges ranges = find_ranges(stopped_scene(beam.scene, {}));
   const double weight = beam.weight();
   ASSERT_EQ(ranges.interfaces.size(), 3U);
   for (const Interface& tip : ranges.interfaces) {
@@ -67,7 +67,7 @@ TEST(ForceRanges, OfABeamOnThreeTips) {
 }
 
 TEST(ForceRanges, OfAFaceHaveAResultantAndACenter) {
-  const ForceRanges ranges = find_ranges(still_scene(on_floor(leaning_tower(3, 0.25)), {}));
+  const ForceRanges ranges = find_ranges(stopped_scene(on_floor(leaning_tower(3, 0.25)), {}));
   ASSERT_EQ(ranges.interfaces.size(), 3U);
   EXPECT_EQ(ranges.degree, 0);
   for (const Interface& face : ranges.interfaces) {
@@ -85,7 +85,7 @@ TEST(ForceRanges, OfAFaceHaveAResultantAndACenter) {
 
 TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
   const Scene scene = with_friction(on_floor({cube("a", {0.0, 0.5})}), 0.5);
-  const ForceRanges ranges = find_ranges(still_scene(scene, {}));
+  const ForceRanges ranges = find_ranges(stopped_scene(scene, {}));
   ASSERT_EQ(ranges.interfaces.size(), 1U);
   const Interface& face = ranges.interfaces.front();
   // Flush sides have one tangential force, whatever its corners take of it.
@@ -94,7 +94,7 @@ TEST(ForceRanges, OfABlockOnAWideTableWithFriction) {
   EXPECT_NEAR(face.center_range.low, 0.0, exact_share);
   EXPECT_NEAR(face.center_range.high, 0.0, exact_share);
   EXPECT_EQ(ranges.degree, 0);
-  const StillScene still = still_scene(scene, {});
+  const StillScene still = stopped_scene(scene, {});
   for (const char unique : still.found.islands.front().forces.unique)
     EXPECT_NE(unique, 0);
 }
@@ -113,7 +113,7 @@ TEST(ForceRanges, OfALadderOnARoughWallAreThoseByHand) {
   int compared = 0;
   for (const double angle : {0.7, 0.9, 1.0471975511965976, 1.2}) {
     for (const double mu : {0.45, 0.5, 0.8}) {
-      const StillScene still = still_scene(ladder(angle, mu), {});
+      const StillScene still = stopped_scene(ladder(angle, mu), {});
       const double a = 3.0 * std::sin(angle);
       const double b = 3.0 * std::cos(angle);
       const double c = 1.5 * std::cos(angle) - 0.1 * std::sin(angle);
@@ -141,7 +141,7 @@ TEST(ForceRanges, OfALadderOnARoughWallAreThoseByHand) {
 // In a hyperstatic wall the center of pressure may run over a part of a face.
 TEST(ForceRanges, TheCenterOfPressureHasARange) {
   const ForceRanges ranges =
-      find_ranges(still_scene(read_reference_case("hyper_wall_3x3").scene, {}));
+      find_ranges(stopped_scene(read_reference_case("hyper_wall_3x3").scene, {}));
   int wide = 0;
   for (const Interface& face : ranges.interfaces) {
     if (is_empty(face.center_range)) {  // cubes beside one another
@@ -160,7 +160,7 @@ TEST(ForceRanges, HaveTheSameBitsForAnyNumberOfThreads) {
       "plane = [{name = \"floor\"}]\nwall = [{on = \"floor\", rows = 5, columns = 5, size = [1, "
       "0.6]}]\n",
       "s.toml");
-  const StillScene still = still_scene(scene, {});
+  const StillScene still = stopped_scene(scene, {});
   double share = 0.0;
   RangeRequest request;
   request.progress = [&](double done) {
@@ -188,7 +188,7 @@ TEST(ForceRanges, HaveTheSameBitsForAnyNumberOfThreads) {
 TEST(ForceRanges, NeedNoProgramWhereAForceIsTheOnlyOne) {
   for (const std::string name :
        {"hyper_beam_5tips_rider", "pz_n4_stands_1em2", "pz_n4_falls_1em2"}) {
-    const StillScene still = still_scene(read_reference_case(name).scene, {});
+    const StillScene still = stopped_scene(read_reference_case(name).scene, {});
     const ForceRanges skipped = find_ranges(still, {{}, true});
     const ForceRanges asked = find_ranges(still, {{}, false});
     for (std::size_t k = 0; k < asked.contacts.size(); ++k) {

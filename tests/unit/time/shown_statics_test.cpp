@@ -71,7 +71,7 @@ TEST(ShownStatics, RangesAreThoseOfCheckAndHoldWhatIsShown) {
   EXPECT_EQ(ranges, 4);
   for (const SnapshotForce& force : snapshot.forces)
     EXPECT_TRUE(force.unique || force.range.has_value());
-  const ForceRanges known = find_ranges(still_scene(scene, {}));
+  const ForceRanges known = find_ranges(stopped_scene(scene, {}));
   for (const Interface& face : known.interfaces) {
     const auto joint = std::ranges::find_if(snapshot.joints, [&](const SnapshotJoint& j) {
       return std::minmax(j.body, j.other) == std::minmax(face.on, face.from);
