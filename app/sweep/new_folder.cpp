@@ -2,8 +2,13 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <fcntl.h>
+#include <string_view>
+#include <sys/file.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -25,6 +30,33 @@ fs::path without_slash(const fs::path& path) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+constexpr std::string_view temporary_mark = ".partial-";
+
+/// A descriptor of a folder that nobody else has locked; -1 where somebody has, or no lock is to be had.
+int locked(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+/// Folders of this path that lost their owner.
+void remove_orphans(const fs::path& path) {
+  const std::string start = path.filename().string() + std::string(temporary_mark);
+  std::error_code ignored;
+  std::vector<fs::path> found;
+  for (const auto& entry :
+       fs::directory_iterator(path.has_parent_path() ? path.parent_path() : ".", ignored))
+    if (entry.path().filename().string().starts_with(start) && entry.is_directory(ignored))
+      found.push_back(entry.path());
+  for (const fs::path& folder : found) {
+    const int lock = locked(folder);
+    if (lock < 0) continue;
+    fs::remove_all(folder, ignored);
+    ::close(lock);
+  }
+}
+
 }  // namespace
 
 NewFolder::NewFolder(const fs::path& path) : path_(without_slash(path)) {
@@ -35,9 +67,11 @@ NewFolder::NewFolder(const fs::path& path) : path_(without_slash(path)) {
   }
   if (path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
   if (error) fail(path_, error);
-  std::string name = path_.string() + ".partial-XXXXXX";
+  remove_orphans(path_);
+  std::string name = path_.string() + std::string(temporary_mark) + "XXXXXX";
   if (::mkdtemp(name.data()) == nullptr) fail(path_, {errno, std::generic_category()});
   temporary_ = name;
+  lock_ = locked(temporary_);
   fs::permissions(temporary_,
                   fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read
                       | fs::perms::others_exec,
@@ -47,6 +81,7 @@ NewFolder::NewFolder(const fs::path& path) : path_(without_slash(path)) {
 NewFolder::~NewFolder() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 std::string NewFolder::file(const std::string& name) const { return (temporary_ / name).string(); }

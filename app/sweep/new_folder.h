@@ -7,7 +7,8 @@
 namespace wuerfel {
 
 /// Is filled under a temporary name beside `path`; `commit` gives it its name, and without that the
-/// destructor removes it.
+/// destructor removes it. What a program left there that was killed, the next one of the same path
+/// removes: a lock tells whether its owner lives.
 class NewFolder {
  public:
   /// Throws UsageError where something of that name is there, and OutputError where it cannot be
@@ -24,6 +25,7 @@ class NewFolder {
  private:
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  int lock_ = -1;  ///< on the folder, while it has its temporary name
 };
 
 }  // namespace wuerfel

@@ -273,6 +273,22 @@ verdicts = ["falls"]
         text = 'name = "few"\ncases = 10\n[scene]\nplane = [{}]\ncube = [{ name = "a", on = "plane1" }]\n[[vary]]\nkey = "cube.a.mass"\nchoice = [1, 2, 3]\n'
         self.refused("only 3 of 10 cases can be found", text)
 
+    def test_what_a_killed_plan_left_is_removed_by_the_next_and_a_living_one_left_alone(self):
+        endless = SWEEP.replace("cases = 24", "cases = 2000000").replace("[labels]", "[reject]\nmargin_below = 1e-3\n[labels]")
+        plan = [self.program, "sweep", "plan", self.sweep(endless, "long.toml"), "-o", self.path("plan"), "--jobs", "1"]
+        partial = lambda: [name for name in self.files() if ".partial-" in name]
+        for number, left in ((signal.SIGINT, 0), (signal.SIGTERM, 0), (signal.SIGKILL, 1)):
+            with subprocess.Popen(plan, stderr=subprocess.PIPE, text=True) as process:
+                process.stderr.readline()  # it draws
+                process.send_signal(number)
+            self.assertEqual(len(partial()), left)
+        with subprocess.Popen(plan, stderr=subprocess.PIPE, text=True) as process:
+            process.stderr.readline()
+            alive = partial()
+            self.plan()
+            self.assertEqual((len(alive), partial()), (1, alive))
+            process.terminate()
+
     def test_nothing_is_overwritten(self):
         self.plan()
         self.assertIn("is there already", self.expect(2, "sweep", "plan", self.sweep(), "-o", "plan").stderr)
