@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -27,6 +28,8 @@ namespace {
 
 /// Most draws in a row of which none becomes a case: then there are no more.
 constexpr long longest_drought = 100'000;
+/// Likewise where no draw at all had one of the verdicts that are missing.
+constexpr long longest_hope = 10'000;
 /// Most draws of one stratum of a Latin hypercube.
 constexpr long most_attempts = 1'000;
 
@@ -120,7 +123,9 @@ class Admission {
     counts_.rejected.verdict += candidate.rejected.verdict;
     counts_.rejected.margin += candidate.rejected.margin;
     const bool taken = !candidate.id.empty() && is_wanted(candidate);
+    if (candidate.verdict) seen_.insert(*candidate.verdict);
     drought_ = taken ? 0 : drought_ + 1;
+    if (drought_ == longest_hope) require_hope();
     if (drought_ == longest_drought) give_up();
     if (!taken) return "";
     Case one{counts_.cases++, std::move(candidate.id), "", std::move(candidate.values)};
@@ -145,16 +150,31 @@ class Admission {
     return true;
   }
 
+  /// Throws where a verdict is missing that no draw has had.
+  void require_hope() const {
+    for (const Quota& open : open_) {
+      if (open.cases == 0 || seen_.contains(open.verdict)) continue;
+      throw UsageError(fmt::format(
+          "{}: none of {} draws {}; let other values vary, or wider, or ask for no such cases",
+          open.origin, counts_.drawn, to_string(open.verdict)));
+    }
+  }
+
   [[noreturn]] void give_up() const {
+    std::string missing;
+    for (const Quota& open : open_)
+      if (open.cases > 0) missing += fmt::format("; {} lacks {}", open.origin, open.cases);
     throw UsageError(fmt::format(
-        "only {} of {} cases can be found: none of the last {} draws was one (so far {})",
-        counts_.cases, sweep_.cases, longest_drought, describe(counts_.rejected)));
+        "only {} of {} cases can be found: none of the last {} draws was one (so far {}){}; let "
+        "more vary, reject less or ask for fewer",
+        counts_.cases, sweep_.cases, longest_drought, describe(counts_.rejected), missing));
   }
 
   const Sweep& sweep_;
   std::vector<Quota> open_;  // what is still missing
   PlanCounts counts_;
   std::unordered_set<std::string> ids_;
+  std::set<Verdict> seen_;
   long drought_ = 0;
 };
 

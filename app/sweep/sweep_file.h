@@ -43,6 +43,7 @@ struct Rejection {
 struct Quota {
   Verdict verdict = Verdict::stands;
   long cases = 0;
+  std::string origin{};  ///< "towers.toml: balance.stands", for messages
 };
 
 struct HeldOut {

@@ -179,9 +179,10 @@ class SweepReader {
     for (const auto& [verdict, cases] :
          {std::pair{Verdict::stands, balance.stands}, std::pair{Verdict::falls, balance.falls},
           std::pair{Verdict::moves, balance.moves}}) {
-      if (cases) sweep_.balance.push_back({verdict, *cases});
-      if (cases && std::ranges::count(sweep_.reject.verdicts, verdict) > 0)
-        fail(fmt::format("balance.{}", to_string(verdict)), "is rejected, too");
+      if (!cases) continue;
+      const std::string key = fmt::format("balance.{}", to_string(verdict));
+      sweep_.balance.push_back({verdict, *cases, fmt::format("{}: {}", source_.name, key)});
+      if (std::ranges::count(sweep_.reject.verdicts, verdict) > 0) fail(key, "is rejected, too");
     }
     if (!sweep_.balance.empty() && entries_.sampling != Sampling::random)
       fail("balance", "needs sampling = \"random\": other designs have as many cases as they have");

@@ -273,6 +273,11 @@ verdicts = ["falls"]
         text = 'name = "few"\ncases = 10\n[scene]\nplane = [{}]\ncube = [{ name = "a", on = "plane1" }]\n[[vary]]\nkey = "cube.a.mass"\nchoice = [1, 2, 3]\n'
         self.refused("only 3 of 10 cases can be found", text)
 
+    def test_a_balance_that_cannot_be_reached_is_told(self):
+        text = SWEEP.replace("cases = 24", "") + "[balance]\nstands = 2\nmoves = 3\n"
+        self.refused("sweep.toml: balance.moves: none of 100", text)
+        self.refused("draws moves; let other values vary, or wider, or ask for no such cases", text)
+
     def test_what_a_killed_plan_left_is_removed_by_the_next_and_a_living_one_left_alone(self):
         endless = SWEEP.replace("cases = 24", "cases = 2000000").replace("[labels]", "[reject]\nmargin_below = 1e-3\n[labels]")
         plan = [self.program, "sweep", "plan", self.sweep(endless, "long.toml"), "-o", self.path("plan"), "--jobs", "1"]
