@@ -83,13 +83,31 @@ class LineReader {
   std::string_view rest_;
 };
 
+/// What a message about a value of a normal distribution without ends lacks.
+std::string_view remedy(const Sweep& sweep, std::string_view message) {
+  for (const Variable& variable : sweep.variables) {
+    const auto* normal = std::get_if<Normal>(&variable.distribution);
+    if (normal != nullptr && !normal->clip && message.starts_with(variable.origin + ": "))
+      return "; normal has no ends where clip = [low, high] sets none";
+  }
+  return "";
+}
+
 }  // namespace
 
 Scene scene_of(const Sweep& sweep, const std::vector<std::string>& values) {
   std::vector<std::string> origins;
   for (const Variable& variable : sweep.variables)
     origins.insert(origins.end(), variable.keys.size(), variable.origin);
-  return parse_scene(sweep.scene.text, sweep.scene.name, overrides_of(sweep, values), origins);
+  try {
+    return parse_scene(sweep.scene.text, sweep.scene.name, overrides_of(sweep, values), origins);
+  } catch (const OverlapError&) {
+    throw;
+  } catch (const SceneError& error) {
+    const std::string_view more = remedy(sweep, error.what());
+    if (more.empty()) throw;
+    throw SceneError(fmt::format("{}{}", error.what(), more));
+  }
 }
 
 std::string case_id(const Sweep& sweep, const Scene& scene) {

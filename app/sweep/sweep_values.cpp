@@ -121,9 +121,9 @@ void read(const Spot& spot, const Limits& limits, std::vector<double>& target) {
 }
 
 void read(const Spot& spot, const Limits& limits, NumberInterval& target) {
+  if (array_at(spot, "two numbers").size() != 2) fail_type(spot, "two numbers");
   std::vector<double> numbers;
   read(spot, limits, numbers);
-  if (numbers.size() != 2) fail_type(spot, "two numbers");
   target.ends = {numbers[0], numbers[1]};
 }
 
