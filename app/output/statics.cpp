@@ -20,6 +20,8 @@ constexpr double knife_edge = 1e-9;
 
 Json pair(const LoadRange& range) { return {number_json(range.low), number_json(range.high)}; }
 
+Json pair_or_none(const LoadRange& range) { return is_empty(range) ? Json(nullptr) : pair(range); }
+
 Json tilt_json(const std::optional<TiltMargin>& tilt) {
   if (!tilt) return nullptr;
   return {{"left", number_json(tilt->left)}, {"right", number_json(tilt->right)}};
@@ -133,9 +135,9 @@ void add_ranges(const StillScene& still, const ForceRanges& ranges, Json& json) 
         {{"bodies", {still.system.body(face.on).name, still.system.body(face.from).name}},
          {"normal", vector_json(face.normal)},
          {"resultant", {face.force, face.tangential}},
-         {"range", pair(face.force_range)},
+         {"range", pair_or_none(face.force_range)},
          {"center", vector_json(face.center)},
-         {"center_range", is_empty(face.center_range) ? Json(nullptr) : pair(face.center_range)},
+         {"center_range", pair_or_none(face.center_range)},
          {"eccentricity", face.eccentricity ? Json(*face.eccentricity) : Json(nullptr)}});
   }
   json["interfaces"] = std::move(interfaces);

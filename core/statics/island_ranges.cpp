@@ -12,6 +12,9 @@ namespace {
 /// A contact opens, or slips, that accelerates by more than this share of g.
 constexpr double departing = 1e-8;
 
+/// By this share, of the mean weight or of itself, a possible force may miss the range of all.
+constexpr double force_rounding = 1e-8;
+
 double row_value(const ContactRow& row, const Twist& on, const Twist& from) {
   const auto part = [](const std::array<double, 3>& J, const Twist& a) {
     return J[0] * a.linear.x() + J[1] * a.linear.y() + J[2] * a.angular;
@@ -111,7 +114,7 @@ LoadRange IslandRanges::sum(const std::vector<double>& of_rows) const {
   return LoadFactor(with_block(entries)).range(w, q).times(unit_);
 }
 
-LoadRange IslandRanges::force(const std::vector<int>& contacts) const {
+LoadRange IslandRanges::force(const std::vector<int>& contacts, double known) const {
   std::vector<double> of_rows(used_.size(), 0.0);
   for (std::size_t row = 0; row < used_.size(); ++row) {
     const auto& share = generators_.share[row];
@@ -119,7 +122,7 @@ LoadRange IslandRanges::force(const std::vector<int>& contacts) const {
   }
   LoadRange range = sum(of_rows);
   range.low = std::max(range.low, 0.0);
-  return range;
+  return around(known, range, force_rounding * std::max(unit_, known));
 }
 
 /// A quotient of two sums. [Charnes, Cooper 1962]: forces and load both times tau >= 0, so that their

@@ -17,8 +17,8 @@ class IslandRanges {
 
   // All of them may be asked by several threads at once.
 
-  /// Of the sum of normal forces at these contacts, N.
-  [[nodiscard]] LoadRange force(const std::vector<int>& contacts) const;
+  /// Of the sum of normal forces at these contacts, N, of which one is `known`; empty where that is outside.
+  [[nodiscard]] LoadRange force(const std::vector<int>& contacts, double known) const;
   /// Of the centre of pressure of these contacts, at `place` (m) each.
   [[nodiscard]] LoadRange center(const std::vector<int>& contacts,
                                  const std::vector<double>& place) const;

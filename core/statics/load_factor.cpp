@@ -63,6 +63,12 @@ LoadRange uncrossed(LoadRange range) {
 
 }  // namespace
 
+LoadRange around(double s, const LoadRange& range, double rounding) {
+  const double missed = std::max({range.low - s, s - range.high, 0.0});
+  if (is_empty(range) || missed > rounding) return no_load;
+  return {std::min(range.low, s), std::max(range.high, s), std::max(range.error, missed)};
+}
+
 LoadFactor::LoadFactor(const QuadraticProgram& program)
     : program_(program),
       solver_(
@@ -213,9 +219,14 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
     if (last || balances(w, q, found.s)) return make_sure(w, q, next.error, last, found);
     next = cut(w, q);
     // An exact cut that leaves next to no motion is not bettered by what rounding may have left of it.
+    if (!found.exact || next.exact || next.none) continue;
     const double noise = noise_ * (1.0 + std::abs(found.s));
-    if (found.exact && !next.exact && !next.none && found.s - next.s <= noise)
-      return make_sure(w, q, next.error, true, found);
+    if (found.s - next.s <= noise) return make_sure(w, q, next.error, true, found);
+    if (unrest_ > nearly_at_rest) continue;
+    // Nor by a cut that is worse than its noise tells: the end is seen from above.
+    Top seen = found;
+    confirm(w, q, seen);
+    if (seen.error <= agreeing * (1.0 + std::abs(found.s))) return seen;
   }
   return {none};
 }

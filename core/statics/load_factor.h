@@ -43,6 +43,9 @@ struct LoadRange {
 /// Where there is no s at all.
 inline constexpr LoadRange no_load{unbounded, -unbounded, 0.0};
 inline bool is_empty(const LoadRange& range) { return range.low > range.high; }
+/// With an s that is known to be one. An end that misses it by no more than `rounding` moves there; where one misses it
+/// by more the range is not known, and empty.
+LoadRange around(double s, const LoadRange& range, double rounding);
 
 /// A cut that is known before any program is solved: no s above it has forces.
 struct KnownCut {

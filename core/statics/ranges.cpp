@@ -13,6 +13,9 @@
 namespace wuerfel {
 namespace {
 
+/// By this share of its face a centre of pressure may miss the range of all.
+constexpr double center_rounding = 1e-8;
+
 /// The contacts of a face, in an island.
 struct Face {
   Interface seen;
@@ -111,9 +114,11 @@ Interface with_ranges(const IslandRanges& ranges, bool unique, const Face& face)
   Interface seen = face.seen;
   seen.force_range = {seen.force, seen.force, 0.0};
   if (unique) return seen;
-  seen.force_range = ranges.force(face.contacts);
+  seen.force_range = ranges.force(face.contacts, seen.force);
   if (seen.length > 0.0) {
-    seen.center_range = ranges.center(face.contacts, face.place);
+    const LoadRange center = ranges.center(face.contacts, face.place);
+    seen.center_range =
+        seen.center ? around(seen.center_range.low, center, center_rounding * seen.length) : center;
   } else if (seen.force_range.high > 0.0) {
     seen.center_range = {0.0, 0.0, 0.0};
   }
@@ -145,7 +150,7 @@ void add_island(const StillScene& still,
     const Contact& c = of.island.contacts[k];
     const double f = of.forces.force[k];
     if (!is_asked(request, c.on, c.from)) return no_load;
-    return is_unique(k) ? LoadRange{f, f, 0.0} : ranges.force({k});
+    return is_unique(k) ? LoadRange{f, f, 0.0} : ranges.force({k}, f);
   };
   for (const LoadRange& range : work.each(of.island.contacts.size(), of_contact)) {
     result.contacts.push_back(range);

@@ -23,7 +23,7 @@ struct Interface {
   double length = 0.0;         ///< m, 0 where it is a corner
   double force = 0.0;          ///< N, on `on` along the normal
   double tangential = 0.0;     ///< N, along the normal turned left
-  LoadRange force_range;       ///< N
+  LoadRange force_range;       ///< N; empty where it is not known
   std::optional<Vec2> center;  ///< m, of pressure; none where nothing presses
   /// m, of the centre of pressure along the normal turned left, from the middle; empty where nothing
   /// can press.
@@ -34,7 +34,7 @@ struct Interface {
 
 struct ForceRanges {
   std::vector<LoadRange>
-      contacts;  ///< N, one per contact, island by island; empty where not asked for
+      contacts;  ///< N, one per contact, island by island; empty where not asked for, or not known
   std::vector<Interface> interfaces;  ///< in the order of their first contact
   int degree = 0;  ///< of hyperstaticity: the dimension of the set of all such forces
   double error = 0.0;
