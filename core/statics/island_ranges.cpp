@@ -12,6 +12,8 @@ namespace {
 /// A contact opens, or slips, that accelerates by more than this share of g.
 constexpr double departing = 1e-8;
 
+/// What is carried is rounding below this share of the weights.
+constexpr double no_load_share = 1e-13;
 /// By this share, of the mean weight or of itself, a possible force may miss the range of all.
 constexpr double force_rounding = 1e-8;
 
@@ -68,6 +70,13 @@ void IslandRanges::drop_what_departs() {
 /// What the forces carry: weights less M a, to rounding in the span of the rows that are used.
 void IslandRanges::balance() {
   QuadraticProgram& p = generators_.program;
+  const auto size_of = [&p](const Load& load) {
+    double square = 0.0;
+    for (int k = 0; k < p.unknowns(); ++k)
+      square += load[k] * load[k] / p.mass[k];
+    return std::sqrt(square);
+  };
+  const double of_weights = size_of(load_);
   for (int k = 0; k < static_cast<int>(of_.island.cubes.size()); ++k) {
     const Twist& a = of_.accelerations[k];
     load_[3 * k] -= p.mass[3 * k] * a.linear.x();
@@ -83,6 +92,8 @@ void IslandRanges::balance() {
   solver.solve(p, left, multiplier);
   for (int k = 0; k < p.unknowns(); ++k)
     load_[k] -= p.mass[k] * left[k];
+  // Of what falls freely in touch rounding is left, which no forces carry.
+  if (size_of(load_) <= no_load_share * of_weights) load_.assign(load_.size(), 0.0);
 }
 
 /// The rows that are used, with entries on a block more, which measures the forces.

@@ -65,7 +65,7 @@ LoadRange uncrossed(LoadRange range) {
 
 LoadRange around(double s, const LoadRange& range, double rounding) {
   const double missed = std::max({range.low - s, s - range.high, 0.0});
-  if (is_empty(range) || missed > rounding) return no_load;
+  if (missed > rounding) return no_load;
   return {std::min(range.low, s), std::max(range.high, s), std::max(range.error, missed)};
 }
 

@@ -34,17 +34,17 @@ struct LoadRange {
   double error = 0.0;  ///< width of the bracket around each end
 
   [[nodiscard]] bool contains(double s) const { return low <= s && s <= high; }
-  /// In units of which the load's is so many; an empty one stays as it is.
+  /// In units of which the load's is so many.
   [[nodiscard]] LoadRange times(double factor) const {
-    return low > high ? *this : LoadRange{low * factor, high * factor, error * factor};
+    return {low * factor, high * factor, error * factor};
   }
 };
 
 /// Where there is no s at all.
 inline constexpr LoadRange no_load{unbounded, -unbounded, 0.0};
 inline bool is_empty(const LoadRange& range) { return range.low > range.high; }
-/// With an s that is known to be one. An end that misses it by no more than `rounding` moves there; where one misses it
-/// by more the range is not known, and empty.
+/// With an s that is known to be one. An end that misses it by no more than `rounding` moves there, be it past the other;
+/// where one misses it by more the range is not known, and empty.
 LoadRange around(double s, const LoadRange& range, double rounding);
 
 /// A cut that is known before any program is solved: no s above it has forces.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -242,6 +243,24 @@ TEST(ForceRanges, HoldTheForceThatIsShown) {
     EXPECT_NEAR(there[k].low, here[k].low, 1e-8 * g) << k;
 }
 
+TEST(ForceRanges, OfWhatFallsFreelyInTouchAreNothing) {
+  const double angle = 0.3;
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  Scene scene;
+  for (int k = 0; k < 6; ++k) {
+    scene.cubes.push_back(cube("c" + std::to_string(k), (k % 2) * along + (k / 2) * perp(along)));
+    scene.cubes.back().angle = angle;
+  }
+  scene.gravity = -g * perp(along);
+  const StillScene still = stopped_scene(with_friction(scene, 0.6), {});
+  const ForceRanges ranges = find_ranges(still);
+  ASSERT_FALSE(ranges.contacts.empty());
+  for (const LoadRange& range : ranges.contacts) {
+    EXPECT_NEAR(range.low, 0.0, exact_share * g);
+    EXPECT_NEAR(range.high, 0.0, exact_share * g);
+  }
+}
+
 TEST(LoadRange, HoldsWhatIsKnownToBeInside) {
   EXPECT_EQ(around(2.0, {1.0, 3.0, 0.0}, 1e-9).low, 1.0);
   const LoadRange moved = around(1.0, {1.0 + 1e-10, 3.0, 0.0}, 1e-9);
@@ -249,6 +268,9 @@ TEST(LoadRange, HoldsWhatIsKnownToBeInside) {
   EXPECT_NEAR(moved.error, 1e-10, 1e-15);
   EXPECT_TRUE(is_empty(around(1.0, {1.1, 3.0, 0.0}, 1e-9))) << "is not known";
   EXPECT_TRUE(is_empty(around(1.0, no_load, 1e-9)));
+  const LoadRange crossed = around(1.0, {1.0 + 1e-10, 1.0 - 1e-10, 0.0}, 1e-9);
+  EXPECT_EQ(crossed.low, 1.0);
+  EXPECT_EQ(crossed.high, 1.0);
 }
 
 }  // namespace
