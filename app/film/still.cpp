@@ -170,9 +170,10 @@ std::vector<SnapshotBox> ghosts_of(const Scene& scene,
 std::vector<SnapshotBox> boxes_elsewhere(const Snapshot& first, const Snapshot& extras) {
   std::vector<SnapshotBox> boxes = extras.ghosts;
   if (!extras.reason) return boxes;
-  for (const SnapshotReason::Fix& fix : extras.reason->fixes)
+  for (const SnapshotReason::Fix& fix : extras.reason->fixes) {
     for (const int number : fix.moved)
       boxes.push_back(moved_by(first.boxes[number], fix.way));
+  }
   return boxes;
 }
 

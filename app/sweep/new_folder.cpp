@@ -45,10 +45,11 @@ void remove_orphans(const fs::path& path) {
   const std::string start = path.filename().string() + std::string(temporary_mark);
   std::error_code ignored;
   std::vector<fs::path> found;
-  for (const auto& entry :
-       fs::directory_iterator(path.has_parent_path() ? path.parent_path() : ".", ignored))
+  const fs::path beside = path.has_parent_path() ? path.parent_path() : ".";
+  for (const auto& entry : fs::directory_iterator(beside, ignored)) {
     if (entry.path().filename().string().starts_with(start) && entry.is_directory(ignored))
       found.push_back(entry.path());
+  }
   for (const fs::path& folder : found) {
     const int lock = locked(folder);
     if (lock < 0) continue;

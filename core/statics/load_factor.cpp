@@ -193,6 +193,21 @@ LoadFactor::Top LoadFactor::make_sure(const std::vector<double>& w,
   return found;
 }
 
+/// An exact cut that leaves next to no motion is the end if the lower one that follows is what rounding has left of it.
+std::optional<LoadFactor::Top> LoadFactor::end_in_rounding(const std::vector<double>& w,
+                                                           const std::vector<double>& q,
+                                                           Top found,
+                                                           const Cut& next) {
+  if (!found.exact || next.exact || next.none) return std::nullopt;
+  const double noise = noise_ * (1.0 + std::abs(found.s));
+  if (found.s - next.s <= noise) return make_sure(w, q, next.error, true, found);
+  if (unrest_ > nearly_at_rest) return std::nullopt;
+  // A cut may be worse than its noise tells: the end is seen from above.
+  confirm(w, q, found);
+  if (found.error > agreeing * (1.0 + std::abs(found.s))) return std::nullopt;
+  return found;
+}
+
 LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
                                 const std::vector<double>& q,
                                 const KnownCut& known) {
@@ -218,15 +233,7 @@ LoadFactor::Top LoadFactor::top(const std::vector<double>& w,
     const bool last = k > 0 && step <= 1e-14 * std::abs(found.s);
     if (last || balances(w, q, found.s)) return make_sure(w, q, next.error, last, found);
     next = cut(w, q);
-    // An exact cut that leaves next to no motion is not bettered by what rounding may have left of it.
-    if (!found.exact || next.exact || next.none) continue;
-    const double noise = noise_ * (1.0 + std::abs(found.s));
-    if (found.s - next.s <= noise) return make_sure(w, q, next.error, true, found);
-    if (unrest_ > nearly_at_rest) continue;
-    // Nor by a cut that is worse than its noise tells: the end is seen from above.
-    Top seen = found;
-    confirm(w, q, seen);
-    if (seen.error <= agreeing * (1.0 + std::abs(found.s))) return seen;
+    if (const std::optional<Top> end = end_in_rounding(w, q, found, next)) return *end;
   }
   return {none};
 }

@@ -87,6 +87,10 @@ class LoadFactor {
                 double error,
                 bool last,
                 Top found);
+  std::optional<Top> end_in_rounding(const std::vector<double>& w,
+                                     const std::vector<double>& q,
+                                     Top found,
+                                     const Cut& next);
   bool is_determinate();
   /// The only forces that leave of a load nothing but `x`.
   void solve_all(const std::vector<double>& load, std::vector<double>& x, std::vector<double>& f);

@@ -55,9 +55,10 @@ TEST(ForceRanges, HaveTheDegreesOfTheReferenceCases) {
                                            {"pz_n5_stands_1em2", 2},      {"hyper_beam_3tips", 1},
                                            {"hyper_beam_5tips_rider", 3}, {"hyper_wall_3x3", 6},
                                            {"hyper_wall_5x4", 20},        {"hyper_vgroove", 1}};
-  for (const auto& [name, degree] : degrees)
-    EXPECT_EQ(find_ranges(stopped_scene(read_reference_case(name).scene, {})).degree, degree)
-        << name;
+  for (const auto& [name, degree] : degrees) {
+    const StillScene still = stopped_scene(read_reference_case(name).scene, {});
+    EXPECT_EQ(find_ranges(still).degree, degree) << name;
+  }
 }
 
 TEST(ForceRanges, OfABeamOnThreeTips) {
