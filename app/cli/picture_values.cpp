@@ -76,6 +76,15 @@ StripGrid parse_strip(std::string_view text) {
   throw UsageError(fmt::format("'{}' is not a film strip: use COLUMNSxROWS such as 4x2", text));
 }
 
+void require_scale(std::string_view name, double scale) {
+  constexpr double smallest = 0.01;  // lines of a hundredth of a pixel
+  constexpr double largest = 8.0;    // text of 150 px
+  if (!(scale >= smallest && scale <= largest)) {
+    throw UsageError(
+        fmt::format("{}: {} is not between {} and {}", name, scale, smallest, largest));
+  }
+}
+
 WorldWindow parse_window(std::string_view text) {
   std::array<double, 3> values{};
   const char* at = text.data();

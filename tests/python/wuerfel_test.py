@@ -59,6 +59,7 @@ def test_wrong_arguments_are_refused():
     for call in (lambda: w.check(FALLING, solver="newtn"), lambda: w.simulate(FALLING, [1, 0.5]), lambda: w.simulate(FALLING, [-1]),
                  lambda: w.Simulation(FALLING, tolerance=0), lambda: w.Simulation(FALLING).advance_to(float("nan")),
                  lambda: w.render(FALLING, layers="cubs"), lambda: w.render(FALLING, size=(0, 5)), lambda: w.render(FALLING, mode="x"),
+                 lambda: w.render(FALLING, layers="cubes,,forces"), lambda: w.render(FALLING, scale=9), lambda: w.render(FALLING, scale=0.001),
                  lambda: w.Scene(TOWER).with_(**{"tower.t.laen": 1})):
         pytest.raises(ValueError, call)
 
