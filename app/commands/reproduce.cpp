@@ -41,8 +41,7 @@ Made read_made(const std::string& path) {
     PngFile file = read_png(path);
     return {std::move(file.image), {}, std::move(file.texts)};
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw UsageError(fmt::format("cannot read {}", path));
+  std::ifstream file = open_to_read(path);
   std::string svg = file_bytes(file, "<");
   std::vector<PngText> texts = read_origin(svg);
   return {std::nullopt, std::move(svg), std::move(texts)};

@@ -201,6 +201,13 @@ class Unwritable(ProgramTest):
         self.assertIn("is a folder", self.expect(5, "run", self.scene(FLYING), "-o", "d.mp4", *SMALL).stderr)
         self.assertEqual(self.files("d.mp4"), [])
 
+    def test_a_folder_is_no_file_to_read(self):
+        os.mkdir(self.path("d.png"))
+        for arguments in (("reproduce", "d.png"), ("replay", "d.png")):
+            with self.subTest(arguments):
+                self.assertIn("cannot read d.png: it is a folder", self.refuse(*arguments))
+        self.assertIn("cannot read none.svg: No such file", self.refuse("reproduce", "none.svg"))
+
     def test_a_scene_is_not_replaced_by_what_is_made_of_it(self):
         scene = self.scene(FLYING)
         before = self.content("scene.json")
