@@ -4,6 +4,7 @@ import json
 import os
 import resource
 import shutil
+import stat
 import struct
 import subprocess
 
@@ -200,6 +201,19 @@ class Unwritable(ProgramTest):
         os.mkdir(self.path("d.mp4"))
         self.assertIn("is a folder", self.expect(5, "run", self.scene(FLYING), "-o", "d.mp4", *SMALL).stderr)
         self.assertEqual(self.files("d.mp4"), [])
+
+    def test_a_pipe_is_not_replaced_by_a_file(self):
+        scene = self.scene(FLYING)
+        for picture, time in (("a.png", "0"), ("b.png", "1")):
+            self.expect(0, "figure", scene, "-o", picture, "-t", time, "--size", "64x64")
+        for name in ("pipe.png", "pipe.gif", "pipe.apng"):
+            os.mkfifo(self.path(name))
+        for arguments in (("compare", "a.png", "b.png", "-o", "pipe.png"), ("reproduce", "a.png", "-o", "pipe.png"),
+                          ("run", scene, "-o", "pipe.gif", *SMALL), ("run", scene, "-o", "pipe.apng", *SMALL)):
+            with self.subTest(arguments):
+                self.assertIn("it is a pipe or a device", self.expect(5, *arguments).stderr)
+        for name in ("pipe.png", "pipe.gif", "pipe.apng"):
+            self.assertTrue(stat.S_ISFIFO(os.stat(self.path(name)).st_mode))
 
     def test_a_folder_is_no_file_to_read(self):
         os.mkdir(self.path("d.png"))
