@@ -168,6 +168,10 @@ Action declare_reproduce(Options& options) {
   return [asked](const Stopwatch&) {
     require_no_stdout("-o", asked->output);
     require_kept(asked->picture, asked->output);
+    if (!asked->output.empty()) {
+      const bool text = has_suffix(asked->picture, ".svg");
+      require_suffix("-o", asked->output, text ? ".svg" : ".png");
+    }
     return reproduce(*asked);
   };
 }

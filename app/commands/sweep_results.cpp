@@ -74,8 +74,7 @@ struct SheetOptions {
 };
 
 ExitCode sheet(const SheetOptions& asked) {
-  if (!has_suffix(asked.file, ".png"))
-    throw UsageError(fmt::format("-o: '{}' does not end in .png", asked.file));
+  require_suffix("-o", asked.file, ".png");
   const Plan plan(asked.plan);
   const StopSignal stop;
   Font font;

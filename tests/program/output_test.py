@@ -215,6 +215,15 @@ class Unwritable(ProgramTest):
         for name in ("pipe.png", "pipe.gif", "pipe.apng"):
             self.assertTrue(stat.S_ISFIFO(os.stat(self.path(name)).st_mode))
 
+    def test_pictures_are_not_named_as_if_they_were_others(self):
+        scene = self.scene(FLYING)
+        for picture, time in (("a.png", "0"), ("b.png", "1"), ("a.svg", "0")):
+            self.expect(0, "figure", scene, "-o", picture, "-t", time, "--size", "64x64")
+        for arguments in (("compare", "a.png", "b.png", "-o", "d.jpg"), ("reproduce", "a.png", "-o", "d.svg"),
+                          ("reproduce", "a.svg", "-o", "d.png")):
+            with self.subTest(arguments):
+                self.assertIn("does not end in .", self.refuse(*arguments))
+
     def test_a_folder_is_no_file_to_read(self):
         os.mkdir(self.path("d.png"))
         for arguments in (("reproduce", "d.png"), ("replay", "d.png")):
