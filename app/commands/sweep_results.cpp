@@ -75,6 +75,8 @@ struct SheetOptions {
 
 ExitCode sheet(const SheetOptions& asked) {
   require_suffix("-o", asked.file, ".png");
+  if (asked.choice.size && asked.choice.size->height == 0)
+    throw UsageError("--size: the height of a sheet has to be told, as 1600x1760");
   const Plan plan(asked.plan);
   const StopSignal stop;
   Font font;

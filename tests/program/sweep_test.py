@@ -571,6 +571,7 @@ class Family(Sweep):
             width, height = struct.unpack(">II", file.read()[16:24])
         self.assertEqual(width, 1600)
         self.assertLess(height, 1760 * 0.4)
+        self.assertIn("the height of a sheet has to be told", self.refuse("sweep", "sheet", "plan", "-o", "s.png", "--size", "400xauto"))
 
 
 if __name__ == "__main__":
