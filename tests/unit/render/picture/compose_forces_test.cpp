@@ -170,6 +170,20 @@ TEST_F(Composition, PressureHasItsNumberWithAndWithoutArrows) {
   EXPECT_NE(std::ranges::find(alone, "20.0 N"), alone.end()) << "below the middle";
 }
 
+TEST_F(Composition, WithoutArrowsTheNumberOfAPressureStandsBehindIt) {
+  snapshot.joints.resize(1);
+  options.force_scale.longest = 3.0;
+  SnapshotJoint& joint = snapshot.joints.front();
+  joint.force *= 2.0 / (options.force_scale.metres_per_newton * joint.force.norm());
+  const DrawList list = compose({Layer::joints});
+  ASSERT_EQ(list.texts.size(), 1U);
+  float deepest = 0.0F;
+  for (const SegmentShape& segment : list.segments)
+    deepest = std::max({deepest, segment.from.y, segment.to.y});
+  const internal::Area area = internal::text_area(list.texts.front(), font);
+  EXPECT_NEAR(area.top, deepest, 16.0) << "an arrow of 2 m would begin farther away";
+}
+
 TEST_F(Composition, WithoutArrowsTheNumberOfACornerStandsBesideIt) {
   snapshot.joints.resize(1);
   SnapshotJoint& corner = snapshot.joints.front();
