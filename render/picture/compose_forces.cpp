@@ -165,20 +165,21 @@ void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arro
 void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
   const ForceScale& scale = parts.options.force_scale;
   const double least = least_arrow(parts);
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    const Vec2 weight = box.mass * parts.snapshot.gravity;
+  const auto add = [&](const Vec2& place, double mass) {
+    const Vec2 weight = mass * parts.snapshot.gravity;
     const double magnitude = weight.norm();
-    if (box.fixed || !(magnitude > 0.0)) continue;
+    if (!(magnitude > 0.0)) return;
     const double full = magnitude * scale.metres_per_newton;
-    const Pixel center = parts.pixel(box.center);
-    if (magnitude < least) {
-      add_dot(parts, center, parts.style.own_weight, force_dot);
-      continue;
-    }
-    const Vec2 tip = box.center + std::min(full, scale.longest) / magnitude * weight;
+    const Pixel center = parts.pixel(place);
+    if (magnitude < least) return add_dot(parts, center, parts.style.own_weight, force_dot);
+    const Vec2 tip = place + std::min(full, scale.longest) / magnitude * weight;
     arrows.push_back({styled_arrow(parts, center, parts.pixel(tip), parts.style.own_weight),
                       ArrowForm::filled, scale.cuts(magnitude), magnitude, force_dot});
-  }
+  };
+  for (const SnapshotBox& box : parts.snapshot.boxes)
+    if (!box.fixed) add(box.center, box.mass);
+  for (const SnapshotMass& mass : parts.snapshot.masses)
+    add(mass.position, mass.mass);
 }
 
 double pressure_depth(const FrameParts& parts, const SnapshotJoint& joint) {

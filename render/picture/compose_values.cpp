@@ -102,11 +102,14 @@ void add_dot_values(const FrameParts& parts) {
     }
   }
   if (!parts.has(Layer::weights)) return;
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    const double newton = box.mass * parts.snapshot.gravity.norm();
-    if (!box.fixed && newton > 0.0 && newton < least)
-      label_dot(parts, box.center, newton, parts.style.own_weight);
-  }
+  const auto add = [&](const Vec2& place, double mass) {
+    const double newton = mass * parts.snapshot.gravity.norm();
+    if (newton > 0.0 && newton < least) label_dot(parts, place, newton, parts.style.own_weight);
+  };
+  for (const SnapshotBox& box : parts.snapshot.boxes)
+    if (!box.fixed) add(box.center, box.mass);
+  for (const SnapshotMass& mass : parts.snapshot.masses)
+    add(mass.position, mass.mass);
 }
 
 // Behind the pressure on a face; at a corner, which shows no pressure, beside it.

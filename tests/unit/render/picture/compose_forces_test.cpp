@@ -82,6 +82,22 @@ TEST_F(Composition, WeightsStartAtTheCentres) {
   EXPECT_GT(arrows[0].tip.y, arrows[0].tail.y) << "downwards";
 }
 
+TEST_F(Composition, PointMassesHaveVelocitiesAndWeightsToo) {
+  snapshot.boxes.clear();
+  snapshot.masses = {{"bob", Vec2(1.0, 2.0), 1.0, Vec2(0.0, 3.0)}};
+  const DrawList velocity = compose({Layer::velocities});
+  EXPECT_EQ(velocity.segments.size(), 2U * 3U) << "an open head with its halo";
+  const auto weights = arrows_of(compose({Layer::weights}), style.own_weight);
+  ASSERT_EQ(weights.size(), 1U);
+  const Vec2 place = view.to_pixel(Vec2(1.0, 2.0));
+  EXPECT_NEAR(weights[0].tail.x, place.x(), 1e-3);
+  EXPECT_NEAR(weights[0].tail.y, place.y(), 1e-3);
+  EXPECT_GT(weights[0].tip.y, weights[0].tail.y) << "downwards";
+  ForceRange range;
+  range.include(snapshot);
+  EXPECT_GT(range.scale().metres_per_newton, 0.0) << "of their weights, where nothing else is";
+}
+
 TEST_F(Composition, ACrowdShowsChainsInsteadOfArrows) {
   SnapshotBox far = snapshot.boxes[0];
   far.center = Vec2(-2.0, 4.0);
