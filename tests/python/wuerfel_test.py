@@ -64,6 +64,20 @@ def test_wrong_arguments_are_refused():
         pytest.raises(ValueError, call)
 
 
+def test_numbers_of_numpy_are_numbers():
+    given = {"version": np.int64(1), "cube": [{"position": np.array([0.0, 2.0]), "size": np.float32(0.5), "mass": np.float64(3.0)}]}
+    assert w.Scene(given) == w.Scene({"version": 1, "cube": [{"position": [0, 2], "size": 0.5, "mass": 3}]})
+    assert w.Scene(TOWER).with_(gravity=np.array([0.0, -1.5])).to_dict()["gravity"] == [0, -1.5]
+    with pytest.raises(TypeError, match="not set"):
+        w.Scene({"version": 1, "cube": {1}})
+
+
+def test_keys_can_be_set_to_tables():
+    scene = w.Scene(TOWER).with_(material={"friction": 0.5}, fixed=[{"name": 'a "b" 🙂', "size": (1, 2), "position": [9, 9]}], title="🙂")
+    assert scene.title == "🙂" and scene.to_dict()["fixed"][0]["name"] == 'a "b" 🙂'
+    assert scene == w.Scene(TOWER).with_(**{"material.friction": 0.5}).with_(title="🙂", fixed=[{"name": 'a "b" 🙂', "size": [1, 2], "position": [9, 9]}])
+
+
 def test_options_without_effect_are_refused_with_those_that_have_one():
     for arguments, named in (({"step": 0.01}, "rattle"), ({"step": 0.01, "integrator": "event"}, "moreau"),
                              ({"tolerance": 1e-9, "integrator": "euler"}, "auto"), ({"formulation": "points"}, "check")):
