@@ -78,6 +78,16 @@ def test_keys_can_be_set_to_tables():
     assert scene == w.Scene(TOWER).with_(**{"material.friction": 0.5}).with_(title="🙂", fixed=[{"name": 'a "b" 🙂', "size": [1, 2], "position": [9, 9]}])
 
 
+def test_threads_beyond_all_use_and_names_that_are_none_are_refused():
+    for threads in -1, 100000:
+        for many in (lambda: w.check_many([FALLING], threads=threads), lambda: w.simulate_many([FALLING], [0.1], threads=threads)):
+            with pytest.raises(ValueError, match="threads: '-?[0-9]+' is no whole number of 0 to 1024"):
+                many()
+    pytest.raises(TypeError, w.save_film, "demo", None)
+    with pytest.raises(w.SceneError, match="empty"):
+        w.Scene("")
+
+
 def test_options_without_effect_are_refused_with_those_that_have_one():
     for arguments, named in (({"step": 0.01}, "rattle"), ({"step": 0.01, "integrator": "event"}, "moreau"),
                              ({"tolerance": 1e-9, "integrator": "euler"}, "auto"), ({"formulation": "points"}, "check")):
