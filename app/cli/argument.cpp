@@ -140,6 +140,11 @@ void require_no_stdout(std::string_view option, std::string_view file) {
     throw UsageError(fmt::format("{}: standard output carries the answer: name a file", option));
 }
 
+void require_suffix(std::string_view option, std::string_view name, std::string_view suffix) {
+  if (!has_suffix(name, suffix))
+    throw UsageError(fmt::format("{}: '{}' does not end in {}", option, name, suffix));
+}
+
 std::vector<std::string> split_list(std::string_view text) {
   std::vector<std::string> parts;
   while (true) {

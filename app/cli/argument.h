@@ -45,6 +45,9 @@ std::string lower_case(std::string_view text);
 /// Whether a file name ends so, in letters of any size; `suffix` in small ones, as in ".png".
 bool has_suffix(std::string_view name, std::string_view suffix);
 
+/// Throws UsageError where the name of a file does not end so.
+void require_suffix(std::string_view option, std::string_view name, std::string_view suffix);
+
 /// Throws UsageError where `file` is standard output, which carries something else.
 void require_no_stdout(std::string_view option, std::string_view file);
 

@@ -23,11 +23,8 @@ double parse_share(const Text& text) {
 }
 
 double parse_scale(const Text& text) {
-  constexpr double smallest = 0.01;  // lines of a hundredth of a pixel
-  constexpr double largest = 8.0;    // text of 150 px
-  const double value = parse_positive("--scale", text);
-  if (value < smallest || value > largest)
-    throw UsageError(fmt::format("--scale: {} is not between {} and {}", text, smallest, largest));
+  const double value = parse_number("--scale", text);
+  require_scale("--scale", value);
   return value;
 }
 

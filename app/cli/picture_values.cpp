@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/argument.h"
 #include "app/cli/choice.h"
 #include "core/scene/suggestion.h"
 
@@ -38,15 +39,18 @@ Theme parse_theme(std::string_view text) { return find_name<Theme>("theme", text
 
 namespace {
 
-/// Names with commas between them; blanks beside the commas don't matter.
+/// Names with commas between them, or none at all; blanks beside the commas don't matter.
 template <typename Enum>
 EnumSet<Enum> parse_set(std::string_view kind, std::string_view text) {
   EnumSet<Enum> set;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view name = trimmed(text.substr(begin, end - begin));
-    begin = end + 1;
-    if (!name.empty()) set.insert(find_name<Enum>(kind, name));
+  if (trimmed(text).empty()) return set;
+  for (const std::string& part : split_list(text)) {
+    const std::string_view name = trimmed(part);
+    if (name.empty()) {
+      throw UsageError(
+          fmt::format("'{}' has a comma too many: beside it stands no {}", text, kind));
+    }
+    set.insert(find_name<Enum>(kind, name));
   }
   return set;
 }
@@ -70,6 +74,15 @@ StripGrid parse_strip(std::string_view text) {
       return grid;
   }
   throw UsageError(fmt::format("'{}' is not a film strip: use COLUMNSxROWS such as 4x2", text));
+}
+
+void require_scale(std::string_view name, double scale) {
+  constexpr double smallest = 0.01;  // lines of a hundredth of a pixel
+  constexpr double largest = 8.0;    // text of 150 px
+  if (!(scale >= smallest && scale <= largest)) {
+    throw UsageError(
+        fmt::format("{}: {} is not between {} and {}", name, scale, smallest, largest));
+  }
 }
 
 WorldWindow parse_window(std::string_view text) {

@@ -22,6 +22,9 @@ Legend parse_legend(std::string_view text);
 /// "4x2", columns by rows.
 StripGrid parse_strip(std::string_view text);
 
+/// Throws UsageError where lines and text of that scale could not be drawn or read.
+void require_scale(std::string_view name, double scale);
+
 /// A part of the world.
 struct WorldWindow {
   Vec2 center = Vec2::Zero();  ///< m

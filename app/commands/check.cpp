@@ -256,6 +256,14 @@ std::string answer_text(const std::string& name,
   return check_text(scene, motion, answer) + joints_text(answer) + statics.text();
 }
 
+// Of several scenes people are told the verdicts, each on a line.
+void require_room_for_statics(const CheckOptions& asked, bool several) {
+  if (!several || asked.json || !asked.statics.any()) return;
+  throw UsageError(
+      "--margin and --ranges: of several scenes only the verdicts are printed; add --json, or ask "
+      "for one scene");
+}
+
 }  // namespace
 
 Action declare_check(Options& options) {
@@ -266,8 +274,12 @@ Action declare_check(Options& options) {
   add_threads_option(options, asked->threads, "scenes, or ranges of one,");
   add_solver_options(options, asked->motion);
   return [asked, &options](const Stopwatch&) {
+    require_room_for_statics(*asked, asked->scenes.size() > 1);
     const Batch batch{.sources = asked->scenes, .json = asked->json, .threads = asked->threads};
     return for_each_scene(batch, [&](const SceneText& text, AnswerForm form, Notes& notes) {
+      require_room_for_statics(*asked, form.one_line);
+      if (!form.one_line && !asked->statics.ranges)
+        note_idle(options, {"--threads"}, "for one scene without --ranges", notes);
       const Scene scene = parse(text, asked->overrides);
       note_idle_solver(options, scene, notes);
       const Check answer = check(scene, asked->motion);

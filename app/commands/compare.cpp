@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/argument.h"
+#include "app/cli/is_folder.h"
 #include "app/cli/option_groups.h"
 #include "app/cli/places.h"
 #include "app/commands/commands.h"
@@ -189,6 +190,8 @@ Action declare_compare(Options& options) {
     require_no_stdout("-o", asked->output);
     require_kept(asked->expected, asked->output);
     require_kept(asked->actual, asked->output);
+    if (!asked->output.empty() && !is_folder(asked->actual))
+      require_suffix("-o", asked->output, ".png");
     return compare(*asked);
   };
 }

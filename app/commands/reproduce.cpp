@@ -41,8 +41,7 @@ Made read_made(const std::string& path) {
     PngFile file = read_png(path);
     return {std::move(file.image), {}, std::move(file.texts)};
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw UsageError(fmt::format("cannot read {}", path));
+  std::ifstream file = open_to_read(path);
   std::string svg = file_bytes(file, "<");
   std::vector<PngText> texts = read_origin(svg);
   return {std::nullopt, std::move(svg), std::move(texts)};
@@ -169,6 +168,10 @@ Action declare_reproduce(Options& options) {
   return [asked](const Stopwatch&) {
     require_no_stdout("-o", asked->output);
     require_kept(asked->picture, asked->output);
+    if (!asked->output.empty()) {
+      const bool text = has_suffix(asked->picture, ".svg");
+      require_suffix("-o", asked->output, text ? ".svg" : ".png");
+    }
     return reproduce(*asked);
   };
 }

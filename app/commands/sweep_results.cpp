@@ -74,8 +74,9 @@ struct SheetOptions {
 };
 
 ExitCode sheet(const SheetOptions& asked) {
-  if (!has_suffix(asked.file, ".png"))
-    throw UsageError(fmt::format("-o: '{}' does not end in .png", asked.file));
+  require_suffix("-o", asked.file, ".png");
+  if (asked.choice.size && asked.choice.size->height == 0)
+    throw UsageError("--size: the height of a sheet has to be told, as 1600x1760");
   const Plan plan(asked.plan);
   const StopSignal stop;
   Font font;

@@ -206,7 +206,9 @@ void draw(const Filmed& filmed, StillOptions options, Font& font, Still& still) 
   PictureOptions fitted = fit_to_motion(picture, filmed.motion);
   fitted.legend = legend_of(fitted, range_of_shown(filmed.motion, filmed.instants));
   Cells cells = compose_cells(filmed.motion, filmed.instants, fitted, filmed.extras, font);
-  if (options.picture.camera.kind == Camera::Kind::fit) still.hint = cells.hint;
+  // What was asked for is no surprise, and bodies set free are not where the motion has them.
+  const bool asked = options.picture.camera.zoom < 1.0 || options.picture.explode > 0.0;
+  if (options.picture.camera.kind == Camera::Kind::fit && !asked) still.hint = cells.hint;
   still.labels_left_out = still.legend_left_out = 0;
   for (const DrawList& list : cells.lists) {
     still.labels_left_out += list.labels_left_out;

@@ -8,6 +8,7 @@
 #include "app/output/program_file.h"
 #include "core/qp/coulomb/coulomb_solver.h"
 #include "core/qp/qp_solver.h"
+#include "render/files/file_bytes.h"
 
 namespace wuerfel {
 
@@ -55,8 +56,7 @@ Json replayed(const KeptProgram& kept, int number) {
 }  // namespace
 
 void replay_programs(const std::string& path, const std::function<void(const Json&)>& show) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw UsageError(fmt::format("there is no {}", path));
+  std::ifstream file = open_to_read(path);
   int number = 0;
   for (std::string line; file.peek() != std::ifstream::traits_type::eof();) {
     const std::string place = fmt::format("{}:{}", path, ++number);

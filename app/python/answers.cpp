@@ -109,7 +109,7 @@ py::list check_many(const std::vector<py::object>& sources,
   std::vector<Attempt<Answer>> attempts;
   {
     const py::gil_scoped_release others;
-    attempts = work_on_each({thread_count(threads), [&] { interruption.check(); }},
+    attempts = work_on_each({thread_count(checked_threads(threads)), [&] { interruption.check(); }},
                             static_cast<int>(scenes.size()), [&](int i) {
                               return attempt([&] {
                                 if (scenes[i].failure) std::rethrow_exception(scenes[i].failure);
@@ -165,6 +165,11 @@ py::object exception_object(const std::exception_ptr& thrown) {
   } catch (const std::exception& error) {
     return py::reinterpret_borrow<py::object>(PyExc_RuntimeError)(error.what());
   }
+}
+
+int checked_threads(int threads) {
+  constexpr long most = 1024;
+  return static_cast<int>(parse_whole("threads", std::to_string(threads), 0, most));
 }
 
 std::vector<Attempt<PyScene>> load_scenes(const std::vector<py::object>& sources) {

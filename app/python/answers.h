@@ -13,6 +13,9 @@ namespace wuerfel::python {
 /// The exception object of something thrown; throws on what stops everything (KeyboardInterrupt).
 pybind11::object exception_object(const std::exception_ptr& thrown);
 
+/// Threads that were asked for, 0: one per core. Throws UsageError where there cannot be so many.
+int checked_threads(int threads);
+
 /// Scenes from anything that `load_scene` takes, errors in place.
 std::vector<Attempt<PyScene>> load_scenes(const std::vector<pybind11::object>& sources);
 

@@ -38,7 +38,7 @@ void film(const RunOptions& asked, const Scene& scene) {
 
 void save_film(const py::object& source, const py::object& path, RunOptions asked) {
   const PyScene scene = load_scene(source);
-  asked.outputs = {py::str(path)};
+  asked.outputs = {py::str(py::module_::import("os").attr("fsdecode")(path))};
   require_picture_output(asked.outputs.front());
   if (!(asked.rate.fps > 0.0 && asked.rate.speed > 0.0))
     throw UsageError("fps and speed must be greater than 0");

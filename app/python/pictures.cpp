@@ -102,7 +102,7 @@ PictureOptions PictureNames::options() const {
   picture.layers = parse_layers(layers);
   picture.theme = parse_theme(theme);
   picture.camera = parse_camera(view);
-  if (!(scale > 0.0 && scale <= 100.0)) throw UsageError("scale must be between 0 and 100");
+  require_scale("scale", scale);
   picture.scale = scale;
   return picture;
 }

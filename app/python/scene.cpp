@@ -12,12 +12,43 @@ namespace py = pybind11;
 
 namespace {
 
-std::string json_of(const py::handle& value) {
-  return py::str(py::module_::import("json").attr("dumps")(value));
+std::string type_name(const py::handle& value) {
+  return py::str(py::type::handle_of(value).attr("__name__"));
 }
 
-// Text has line breaks or braces; a name or a path has none.
-bool is_text(const std::string& source) { return source.find_first_of("\n{") != std::string::npos; }
+// Numbers and arrays of NumPy as those of Python.
+py::object plain(const py::object& value) {
+  if (py::hasattr(value, "tolist")) return value.attr("tolist")();
+  throw py::type_error(fmt::format(
+      "a scene holds numbers, texts, true and false, lists and dicts, not {}", type_name(value)));
+}
+
+// Letters as they are: escapes of JSON come in pairs where TOML has none.
+std::string json_of(const py::handle& value) {
+  return py::str(py::module_::import("json").attr("dumps")(
+      value, py::arg("default") = py::cpp_function(&plain), py::arg("ensure_ascii") = false));
+}
+
+// A value as --set takes it: JSON, but for tables.
+std::string toml_of(const py::handle& value) {
+  if (py::hasattr(value, "tolist")) return toml_of(value.attr("tolist")());
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (py::isinstance<py::dict>(value)) {
+    for (const auto& [key, member] : py::reinterpret_borrow<py::dict>(value))
+      add(json_of(py::str(key)) + " = " + toml_of(member));
+    return "{" + text + "}";
+  }
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) return json_of(value);
+  for (const py::handle& item : value)
+    add(toml_of(item));
+  return "[" + text + "]";
+}
+
+// Text has line breaks or braces, or is none at all; a name or a path has neither.
+bool is_text(const std::string& source) {
+  return source.empty() || source.find_first_of("\n{") != std::string::npos;
+}
 
 SceneText text_of(const py::object& source) {
   if (py::isinstance<py::dict>(source)) return {"dict", json_of(source)};
@@ -26,8 +57,8 @@ SceneText text_of(const py::object& source) {
     return is_text(text) ? SceneText{"text", text} : scene_text(text);
   }
   if (py::hasattr(source, "__fspath__")) return scene_text(py::str(source.attr("__fspath__")()));
-  throw py::type_error(fmt::format("a scene is a path, a text, a dict or a Scene, not {}",
-                                   std::string(py::str(py::type::of(source).attr("__name__")))));
+  throw py::type_error(
+      fmt::format("a scene is a path, a text, a dict or a Scene, not {}", type_name(source)));
 }
 
 std::string repr(const PyScene& scene) {
@@ -40,7 +71,7 @@ std::string repr(const PyScene& scene) {
 PyScene PyScene::with(const py::kwargs& keys) const {
   PyScene changed = *this;
   for (const auto& [key, value] : keys)
-    changed.overrides.push_back(fmt::format("{}={}", std::string(py::str(key)), json_of(value)));
+    changed.overrides.push_back(fmt::format("{}={}", std::string(py::str(key)), toml_of(value)));
   changed.scene = parse(changed.text, changed.overrides);
   return changed;
 }

@@ -97,7 +97,7 @@ py::list simulate_many(const std::vector<py::object>& sources,
   std::vector<Attempt<Motion>> attempts;
   {
     const py::gil_scoped_release others;
-    attempts = work_on_each({thread_count(threads), [&] { interruption.check(); }},
+    attempts = work_on_each({thread_count(checked_threads(threads)), [&] { interruption.check(); }},
                             static_cast<int>(scenes.size()), [&](int i) {
                               return attempt([&] {
                                 if (scenes[i].failure) std::rethrow_exception(scenes[i].failure);

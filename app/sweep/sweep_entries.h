@@ -50,7 +50,7 @@ void read(const Spot& spot, const Limits& limits, std::vector<double>& target);
 void read(const Spot& spot, const Limits& limits, Layers& target);
 void read(const Spot& spot, const Limits& limits, Theme& target);
 void read(const Spot& spot, const Limits& limits, Sampling& target);
-/// The texts of an array.
+/// The texts of an array, each once.
 std::vector<std::string> words_of(const Spot& spot);
 /// Throws SceneError with a suggestion.
 [[noreturn]] void refuse_word(const Spot& spot,

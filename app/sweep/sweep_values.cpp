@@ -1,4 +1,5 @@
 // Single values of a sweep file.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -108,8 +109,13 @@ void refuse_word(const Spot& spot,
 std::vector<std::string> words_of(const Spot& spot) {
   const Value::Array& items = array_at(spot, "a list of words");
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < items.size(); ++i)
-    words.push_back(text_at(item_spot(spot, items, i)));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Spot item = item_spot(spot, items, i);
+    const std::string word = text_at(item);
+    // Columns and files of one name would be told apart by nobody.
+    if (std::ranges::count(words, word) > 0) item.fail(fmt::format("\"{}\" stands twice", word));
+    words.push_back(word);
+  }
   return words;
 }
 

@@ -150,10 +150,12 @@ void check_overlap(const Scene& scene, const Groups& groups, const SceneSource& 
   const Origin& first = *groups.of(overlap->first).origin;
   const Origin& second = *groups.of(overlap->second).origin;
   const Origin& later = written_before(second.table->place, first.table->place) ? first : second;
+  // Points know no `on`.
+  const bool can_stand = overlap->second.kind != BodyKind::point;
+  const std::string_view otherwise = can_stand ? ", or let one stand on the other with `on`" : "";
   try {
     source.fail(later.table->place, later.path,
-                overlap_message(scene, *overlap)
-                    + "; move them apart, or let one stand on the other with `on`");
+                fmt::format("{}; move them apart{}", overlap_message(scene, *overlap), otherwise));
   } catch (const SceneError& error) {
     throw OverlapError(error.what());
   }

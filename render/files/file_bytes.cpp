@@ -1,8 +1,22 @@
 #include "render/files/file_bytes.h"
 
+#include <cerrno>
+#include <filesystem>
 #include <sstream>
+#include <system_error>
+
+#include "render/error.h"
 
 namespace wuerfel {
+
+std::ifstream open_to_read(const std::string& path) {
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(path, ignored);
+  std::ifstream file(path, std::ios::binary);
+  if (file && !is_folder) return file;
+  const std::string reason = is_folder ? "it is a folder" : std::generic_category().message(errno);
+  throw RenderError("cannot read " + path + ": " + reason);
+}
 
 std::string file_bytes(std::istream& file, std::string_view beginning) {
   std::string bytes(beginning.size(), '\0');

@@ -53,8 +53,23 @@ void remove_left_behind(const std::filesystem::path& folder, std::string_view be
   }
 }
 
+/// A pipe or a device would be gone where a file took its name.
+void OutputFile::require_replaceable(const std::filesystem::path& target) const {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::symlink_status(target, ignored);
+  if (std::filesystem::is_directory(there))
+    throw OutputError(fmt::format("cannot write {}: it is a folder", path_));
+  if (std::filesystem::is_other(there)) {
+    throw OutputError(
+        fmt::format("cannot write {}: it is a pipe or a device, and this goes into files only; "
+                    "choose another name",
+                    path_));
+  }
+}
+
 OutputFile::OutputFile(std::string path, bool one_of_many) : path_(std::move(path)) {
   const std::filesystem::path target(path_);
+  require_replaceable(target);
   if (target.has_parent_path()) {
     std::error_code error;
     std::filesystem::create_directories(target.parent_path(), error);

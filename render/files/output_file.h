@@ -19,7 +19,8 @@ void remove_left_behind(const std::filesystem::path& folder, std::string_view be
 /// folders are made.
 class OutputFile {
  public:
-  /// Throws OutputError where the folder cannot be made or written. What killed programs have left of a
+  /// Throws OutputError where the folder cannot be made or written, or `path` is a folder, a pipe or a
+  /// device, which a file must not replace. What killed programs have left of a
   /// file of this name is removed; of one of many (frames) that is left to who knows them all.
   explicit OutputFile(std::string path, bool one_of_many = false);
   ~OutputFile();
@@ -39,6 +40,7 @@ class OutputFile {
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
+  void require_replaceable(const std::filesystem::path& target) const;
   bool make(const std::filesystem::path& target);
   std::string path_;
   std::string temporary_;

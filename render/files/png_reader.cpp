@@ -1,7 +1,6 @@
 // Reading PNG files: libpng for the pixels, our own reader for the texts.
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 
 #include "render/error.h"
@@ -96,8 +95,7 @@ PngFile decode_png(std::span<const std::uint8_t> bytes) {
 }
 
 PngFile read_png(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw RenderError("cannot read " + path);
+  std::ifstream file = open_to_read(path);
   const std::string signature(internal::png_signature.begin(), internal::png_signature.end());
   const std::string bytes = file_bytes(file, signature);
   try {

@@ -227,7 +227,8 @@ void add_name_beside(const FrameParts& parts, const SnapshotBox& box) {
                      places, parts.font, parts.list);
 }
 
-/// In the middle where it is free, else above or below it, else in a corner of the body; false where it does not fit.
+/// In the middle where it is free, else above or below it, else in a corner of the body, else between: a frame may take
+/// its edges. False where it does not fit.
 bool add_name_inside(const FrameParts& parts, const SnapshotBox& box, Color fill) {
   const double full = parts.style.text_size * parts.unit;
   const double ppm = parts.view.pixels_per_metre;
@@ -253,12 +254,24 @@ bool add_name_inside(const FrameParts& parts, const SnapshotBox& box, Color fill
   for (const auto& [x, y] :
        {std::pair(0.0, 0.0), std::pair(0.0, 0.55), std::pair(0.0, 1.0), std::pair(0.0, -0.55),
         std::pair(0.0, -1.0), std::pair(-1.0, 0.0), std::pair(1.0, 0.0), std::pair(-1.0, 1.0),
-        std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0)}) {
+        std::pair(1.0, 1.0), std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(-0.7, 0.0),
+        std::pair(0.7, 0.0)}) {
     places.push_back({center.x + static_cast<float>(x * aside - 0.5 * shown),
                       center.y + static_cast<float>(y * down + 0.36 * size)});
   }
   parts.labels.place(std::move(text), places, parts.font, parts.list);
   return true;
+}
+
+/// Whether the words of the picture speak of this body.
+bool is_told_of(const FrameParts& parts, const SnapshotBox& box) {
+  if (!parts.snapshot.reason) return false;
+  const auto names_it = [&](const std::string& line) {
+    return line.find(box.name) != std::string::npos;
+  };
+  const SnapshotReason& reason = *parts.snapshot.reason;
+  return std::ranges::any_of(reason.headlines, names_it)
+         || std::ranges::any_of(reason.advice, names_it);
 }
 
 }  // namespace
@@ -270,7 +283,7 @@ void add_names(const FrameParts& parts) {
     if (add_name_inside(parts, box, parts.colors[i])) continue;
     const double width = parts.font.width(box.name, parts.style.text_size * parts.unit);
     const bool is_long = box.size.maxCoeff() * parts.view.pixels_per_metre > width;
-    if (is_long && !is_crowd(parts.snapshot)) {
+    if ((is_long && !is_crowd(parts.snapshot)) || is_told_of(parts, box)) {
       add_name_beside(parts, box);
     } else {
       ++parts.list.labels_left_out;

@@ -69,15 +69,20 @@ Pressure pressure_of(const SnapshotJoint& joint) {
   return {joint.from, joint.from + pressed * along, peak, 0.0};
 }
 
+/// m, how deep a pressure of so many N/m is drawn: an even pressure of a typical force is about as deep as a part of
+/// that force's arrow is long.
+double depth_of(const FrameParts& parts, const SnapshotJoint& joint, double pressure) {
+  const ForceScale& scale = parts.options.force_scale;
+  const double full =
+      pressure_share * scale.metres_per_newton * (joint.to - joint.from).norm() * pressure;
+  return std::min(deepest * scale.longest / 0.8, full);
+}
+
 /// Strokes from the face into the body that pushes, and a line along their ends.
 void add_comb(const FrameParts& parts, const SnapshotJoint& joint, const Pressure& p) {
   const double length = (p.to - p.from).norm();
-  const double limit = deepest * parts.options.force_scale.longest / 0.8;
-  // An even pressure of a typical force is about as deep as a part of that force's arrow is long.
-  const double scale =
-      pressure_share * parts.options.force_scale.metres_per_newton * (joint.to - joint.from).norm();
   const auto end = [&](double share) {
-    const double depth = std::min(limit, scale * (p.at_from + share * (p.at_to - p.at_from)));
+    const double depth = depth_of(parts, joint, p.at_from + share * (p.at_to - p.at_from));
     return parts.pixel(p.from + share * (p.to - p.from) - depth * joint.normal);
   };
   const auto start = [&](double share) { return parts.pixel(p.from + share * (p.to - p.from)); };
@@ -160,20 +165,26 @@ void add_contact_arrows(const FrameParts& parts, std::vector<PendingArrow>& arro
 void add_weights(const FrameParts& parts, std::vector<PendingArrow>& arrows) {
   const ForceScale& scale = parts.options.force_scale;
   const double least = least_arrow(parts);
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    const Vec2 weight = box.mass * parts.snapshot.gravity;
+  const auto add = [&](const Vec2& place, double mass) {
+    const Vec2 weight = mass * parts.snapshot.gravity;
     const double magnitude = weight.norm();
-    if (box.fixed || !(magnitude > 0.0)) continue;
+    if (!(magnitude > 0.0)) return;
     const double full = magnitude * scale.metres_per_newton;
-    const Pixel center = parts.pixel(box.center);
-    if (magnitude < least) {
-      add_dot(parts, center, parts.style.own_weight, force_dot);
-      continue;
-    }
-    const Vec2 tip = box.center + std::min(full, scale.longest) / magnitude * weight;
+    const Pixel center = parts.pixel(place);
+    if (magnitude < least) return add_dot(parts, center, parts.style.own_weight, force_dot);
+    const Vec2 tip = place + std::min(full, scale.longest) / magnitude * weight;
     arrows.push_back({styled_arrow(parts, center, parts.pixel(tip), parts.style.own_weight),
                       ArrowForm::filled, scale.cuts(magnitude), magnitude, force_dot});
-  }
+  };
+  for (const SnapshotBox& box : parts.snapshot.boxes)
+    if (!box.fixed) add(box.center, box.mass);
+  for (const SnapshotMass& mass : parts.snapshot.masses)
+    add(mass.position, mass.mass);
+}
+
+double pressure_depth(const FrameParts& parts, const SnapshotJoint& joint) {
+  const Pressure pressure = pressure_of(joint);
+  return depth_of(parts, joint, std::max(pressure.at_from, pressure.at_to));
 }
 
 void add_pressure(const FrameParts& parts) {

@@ -40,9 +40,10 @@ void add_velocities(const FrameParts& parts, std::vector<PendingArrow>& arrows) 
     }
     return;
   }
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
+  for (const SnapshotBox& box : parts.snapshot.boxes)
     add(box.center, box.velocity);
-  }
+  for (const SnapshotMass& mass : parts.snapshot.masses)
+    add(mass.position, mass.velocity);
 }
 
 /// From the centre to the corners; of a thin body to the middles of its ends, of a small one none: heads would lie on

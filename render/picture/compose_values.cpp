@@ -102,26 +102,29 @@ void add_dot_values(const FrameParts& parts) {
     }
   }
   if (!parts.has(Layer::weights)) return;
-  for (const SnapshotBox& box : parts.snapshot.boxes) {
-    const double newton = box.mass * parts.snapshot.gravity.norm();
-    if (!box.fixed && newton > 0.0 && newton < least)
-      label_dot(parts, box.center, newton, parts.style.own_weight);
-  }
+  const auto add = [&](const Vec2& place, double mass) {
+    const double newton = mass * parts.snapshot.gravity.norm();
+    if (newton > 0.0 && newton < least) label_dot(parts, place, newton, parts.style.own_weight);
+  };
+  for (const SnapshotBox& box : parts.snapshot.boxes)
+    if (!box.fixed) add(box.center, box.mass);
+  for (const SnapshotMass& mass : parts.snapshot.masses)
+    add(mass.position, mass.mass);
 }
 
-// Behind the pressure on a face, where an arrow would begin; at a corner, which shows no pressure, beside it.
+// Behind the pressure on a face; at a corner, which shows no pressure, beside it.
 void add_joint_values(const FrameParts& parts) {
-  const ForceScale& scale = parts.options.force_scale;
   for (const SnapshotJoint& joint : parts.snapshot.joints) {
-    const JointArrow arrow = joint_arrow(parts.snapshot, joint, scale);
-    if (!(arrow.length() > 0.0)) continue;
-    if (joint.from == joint.to) {
-      label_dot(parts, joint.point, joint.force.norm(), parts.style.contact);
+    const double newton = joint.force.norm();
+    if (!(newton * parts.options.force_scale.metres_per_newton > 0.0)) continue;
+    const double depth = pressure_depth(parts, joint);
+    if (joint.from == joint.to || !(depth > 0.0)) {
+      label_dot(parts, joint.point, newton, parts.style.contact);
       continue;
     }
-    const ArrowShape shape =
-        styled_arrow(parts, parts.pixel(arrow.tail), parts.pixel(arrow.tip), parts.style.contact);
-    label_arrow(parts, {shape, ArrowForm::filled, false, joint.force.norm()});
+    const ArrowShape shape = styled_arrow(parts, parts.pixel(joint.point - depth * joint.normal),
+                                          parts.pixel(joint.point), parts.style.contact);
+    label_arrow(parts, {shape, ArrowForm::filled, false, newton});
   }
 }
 

@@ -34,11 +34,15 @@ double depth_along(const SnapshotBox& box, const Vec2& from, const Vec2& directi
   return std::max(depth, 0.0);
 }
 
-/// The median of m g over the cubes; 0 without gravity.
+/// The median of m g over the cubes, over the point masses where there is no cube; 0 without gravity.
 double median_weight(const Snapshot& snapshot) {
   std::vector<double> masses;
   for (const SnapshotBox& box : snapshot.boxes)
     if (!box.fixed) masses.push_back(box.mass);
+  if (masses.empty()) {
+    for (const SnapshotMass& mass : snapshot.masses)
+      masses.push_back(mass.mass);
+  }
   if (masses.empty()) return 0.0;
   const auto middle = masses.begin() + static_cast<std::ptrdiff_t>(masses.size() / 2);
   std::ranges::nth_element(masses, middle);

@@ -81,6 +81,8 @@ void add_symbols(const FrameParts& parts);
 /// Whether the contacts are few enough to have symbols; velocities are then those of their points.
 bool shows_symbols(const FrameParts& parts);
 void add_pressure(const FrameParts& parts);
+/// m from the face, as far as the pressure of a joint is drawn.
+double pressure_depth(const FrameParts& parts, const SnapshotJoint& joint);
 void add_thrust(const FrameParts& parts);
 constexpr double path_alpha = 0.34;
 /// The same quietly, below the arrows: where forces run.

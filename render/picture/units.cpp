@@ -38,6 +38,13 @@ Prefix prefix_of_energy(double size) {
   return size >= 1.0 && size < shown_as_joule ? Prefix{1.0, ""} : prefix_of(size);
 }
 
+/// A sign as it is printed, and none where nothing but zeros is told.
+std::string signed_text(const std::string& text) {
+  if (!text.starts_with('-')) return text;
+  const std::string size = text.substr(1);
+  return size.find_first_of("123456789") == std::string::npos ? size : "−" + size;
+}
+
 int decimals_of_energy(double of_prefix) {
   return of_prefix >= 1000.0 ? 0 : of_prefix >= 100.0 ? 1 : 2;
 }
@@ -71,9 +78,10 @@ std::string energy_label(double joule, double size) {
   const double about = std::max(std::abs(joule), size);
   const Prefix prefix = prefix_of_energy(about);
   const double of_prefix = about / prefix.factor;
-  if (of_prefix > 1e5 || (about > 0.0 && of_prefix < 1e-3)) return fmt::format("{:.3g} J", joule);
-  return fmt::format("{:.{}f} {}J", joule / prefix.factor, decimals_of_energy(of_prefix),
-                     prefix.name);
+  if (of_prefix > 1e5 || (about > 0.0 && of_prefix < 1e-3))
+    return signed_text(fmt::format("{:.3g} J", joule));
+  return signed_text(fmt::format("{:.{}f} {}J", joule / prefix.factor,
+                                 decimals_of_energy(of_prefix), prefix.name));
 }
 
 std::string energy_change_label(double joule, double size) {

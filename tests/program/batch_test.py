@@ -64,6 +64,19 @@ class Batch(ProgramTest):
             asked.stdin.close()
             asked.wait(60)
 
+    def test_margins_of_several_scenes_are_for_programs(self):
+        scenes = self.scene(STANDING, "a.json"), self.scene(FALLING, "b.json")
+        for option in "--margin", "--ranges":
+            self.assertIn("add --json", self.refuse("check", *scenes, option))
+            self.assertIn("add --json", self.expect(2, "check", "-", option, input=lines(STANDING, FALLING)).stderr)
+        answers = [json.loads(line) for line in self.expect(1, "check", *scenes, "--margin", "--json").stdout.splitlines()]
+        self.assertTrue(all("margin" in json.dumps(answer) for answer in answers), answers)
+
+    def test_threads_of_one_scene_are_for_ranges(self):
+        scene = self.scene(STANDING)
+        self.assertIn("--threads does nothing", self.expect(0, "check", "--threads", "2", scene).stderr)
+        self.assertEqual(self.expect(0, "check", "--threads", "2", scene, "--ranges").stderr, "")
+
     def test_bad_numbers_of_threads_are_refused(self):
         for bad in "0", "-1", "1.5", "x", "100000":
             self.assertIn("--threads", self.expect(2, "check", "--threads", bad, self.scene(STANDING)).stderr)

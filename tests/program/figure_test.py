@@ -320,6 +320,13 @@ class Cameras(ProgramTest):
         self.assertEqual(self.pixels("--zoom", "2", "--view", "0,10,8"), self.pixels("--view", "0,10,4"))
         self.assertNotEqual(self.pixels(), self.pixels("--zoom", "1.5"))
 
+    def test_a_view_is_suggested_where_the_motion_is_wide_not_where_that_was_asked_for(self):
+        wide = {"version": 1, "duration": 1, "cube": [{"position": [0, 0]}, {"position": [2000, 0]}]}
+        figure = ("figure", self.scene(wide), "-o", "f.png", "--size", "640x360")
+        self.assertIn("shows the largest group", self.expect(0, *figure).stderr)
+        for asked in (("--zoom", "0.5"), ("--explode", "9")):
+            self.assertNotIn("largest group", self.expect(0, *figure, *asked).stderr)
+
     def test_lines_and_text_grow_with_the_scale(self):
         self.assertNotEqual(self.pixels("--view", "0,10,8"), self.pixels("--view", "0,10,8", "--scale", "2"))
 

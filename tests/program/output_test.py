@@ -4,6 +4,7 @@ import json
 import os
 import resource
 import shutil
+import stat
 import struct
 import subprocess
 
@@ -200,6 +201,35 @@ class Unwritable(ProgramTest):
         os.mkdir(self.path("d.mp4"))
         self.assertIn("is a folder", self.expect(5, "run", self.scene(FLYING), "-o", "d.mp4", *SMALL).stderr)
         self.assertEqual(self.files("d.mp4"), [])
+
+    def test_a_pipe_is_not_replaced_by_a_file(self):
+        scene = self.scene(FLYING)
+        for picture, time in (("a.png", "0"), ("b.png", "1")):
+            self.expect(0, "figure", scene, "-o", picture, "-t", time, "--size", "64x64")
+        for name in ("pipe.png", "pipe.gif", "pipe.apng"):
+            os.mkfifo(self.path(name))
+        for arguments in (("compare", "a.png", "b.png", "-o", "pipe.png"), ("reproduce", "a.png", "-o", "pipe.png"),
+                          ("run", scene, "-o", "pipe.gif", *SMALL), ("run", scene, "-o", "pipe.apng", *SMALL)):
+            with self.subTest(arguments):
+                self.assertIn("it is a pipe or a device", self.expect(5, *arguments).stderr)
+        for name in ("pipe.png", "pipe.gif", "pipe.apng"):
+            self.assertTrue(stat.S_ISFIFO(os.stat(self.path(name)).st_mode))
+
+    def test_pictures_are_not_named_as_if_they_were_others(self):
+        scene = self.scene(FLYING)
+        for picture, time in (("a.png", "0"), ("b.png", "1"), ("a.svg", "0")):
+            self.expect(0, "figure", scene, "-o", picture, "-t", time, "--size", "64x64")
+        for arguments in (("compare", "a.png", "b.png", "-o", "d.jpg"), ("reproduce", "a.png", "-o", "d.svg"),
+                          ("reproduce", "a.svg", "-o", "d.png")):
+            with self.subTest(arguments):
+                self.assertIn("does not end in .", self.refuse(*arguments))
+
+    def test_a_folder_is_no_file_to_read(self):
+        os.mkdir(self.path("d.png"))
+        for arguments in (("reproduce", "d.png"), ("replay", "d.png")):
+            with self.subTest(arguments):
+                self.assertIn("cannot read d.png: it is a folder", self.refuse(*arguments))
+        self.assertIn("cannot read none.svg: No such file", self.refuse("reproduce", "none.svg"))
 
     def test_a_scene_is_not_replaced_by_what_is_made_of_it(self):
         scene = self.scene(FLYING)

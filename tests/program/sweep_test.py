@@ -263,6 +263,7 @@ verdicts = ["falls"]
         self.refused('there is no tower "s"', SWEEP.replace("tower.t.lean", "tower.s.lean"))
         self.refused("the template has no [[wall]]", SWEEP.replace("tower.t.lean", "wall.*.mass"))
         self.refused('"mrgin" is unknown; did you mean "margin"?', SWEEP.replace('"contacts"', '"mrgin"'))
+        self.refused('labels.check[2]: "verdict" stands twice', SWEEP.replace('"contacts"', '"verdict"'))
         self.refused("add up to 1", SWEEP.replace("validation = 0.25", "train = 0.5\nvalidation = 0.25"))
         self.refused("does not vary", SWEEP.replace('held_out = [{ key = "tower.t.count"', 'held_out = [{ key = "tower.t.cont"'))
         self.refused("a grid needs a list here", SWEEP.replace("seed = 7", 'sampling = "grid"'))
@@ -571,6 +572,7 @@ class Family(Sweep):
             width, height = struct.unpack(">II", file.read()[16:24])
         self.assertEqual(width, 1600)
         self.assertLess(height, 1760 * 0.4)
+        self.assertIn("the height of a sheet has to be told", self.refuse("sweep", "sheet", "plan", "-o", "s.png", "--size", "400xauto"))
 
 
 if __name__ == "__main__":

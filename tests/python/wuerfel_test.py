@@ -59,8 +59,33 @@ def test_wrong_arguments_are_refused():
     for call in (lambda: w.check(FALLING, solver="newtn"), lambda: w.simulate(FALLING, [1, 0.5]), lambda: w.simulate(FALLING, [-1]),
                  lambda: w.Simulation(FALLING, tolerance=0), lambda: w.Simulation(FALLING).advance_to(float("nan")),
                  lambda: w.render(FALLING, layers="cubs"), lambda: w.render(FALLING, size=(0, 5)), lambda: w.render(FALLING, mode="x"),
+                 lambda: w.render(FALLING, layers="cubes,,forces"), lambda: w.render(FALLING, scale=9), lambda: w.render(FALLING, scale=0.001),
                  lambda: w.Scene(TOWER).with_(**{"tower.t.laen": 1})):
         pytest.raises(ValueError, call)
+
+
+def test_numbers_of_numpy_are_numbers():
+    given = {"version": np.int64(1), "cube": [{"position": np.array([0.0, 2.0]), "size": np.float32(0.5), "mass": np.float64(3.0)}]}
+    assert w.Scene(given) == w.Scene({"version": 1, "cube": [{"position": [0, 2], "size": 0.5, "mass": 3}]})
+    assert w.Scene(TOWER).with_(gravity=np.array([0.0, -1.5])).to_dict()["gravity"] == [0, -1.5]
+    with pytest.raises(TypeError, match="not set"):
+        w.Scene({"version": 1, "cube": {1}})
+
+
+def test_keys_can_be_set_to_tables():
+    scene = w.Scene(TOWER).with_(material={"friction": 0.5}, fixed=[{"name": 'a "b" 🙂', "size": (1, 2), "position": [9, 9]}], title="🙂")
+    assert scene.title == "🙂" and scene.to_dict()["fixed"][0]["name"] == 'a "b" 🙂'
+    assert scene == w.Scene(TOWER).with_(**{"material.friction": 0.5}).with_(title="🙂", fixed=[{"name": 'a "b" 🙂', "size": [1, 2], "position": [9, 9]}])
+
+
+def test_threads_beyond_all_use_and_names_that_are_none_are_refused():
+    for threads in -1, 100000:
+        for many in (lambda: w.check_many([FALLING], threads=threads), lambda: w.simulate_many([FALLING], [0.1], threads=threads)):
+            with pytest.raises(ValueError, match="threads: '-?[0-9]+' is no whole number of 0 to 1024"):
+                many()
+    pytest.raises(TypeError, w.save_film, "demo", None)
+    with pytest.raises(w.SceneError, match="empty"):
+        w.Scene("")
 
 
 def test_options_without_effect_are_refused_with_those_that_have_one():

@@ -31,6 +31,15 @@ TEST(ParseLayers, UnderstandsWhatASetOfLayersCallsItself) {
 
 TEST(ParseLayers, MakesNoLayersOfNoNames) { EXPECT_EQ(parse_layers(""), Layers()); }
 
+TEST(ParseLayers, RefusesCommasWithNothingBesideThem) {
+  for (const char* text : {"cubes,,forces", ",cubes", "cubes,", "cubes, ,forces", ",", " ,"}) {
+    const std::string complaint = complaint_about_layers(text);
+    EXPECT_NE(complaint.find("a comma too many"), std::string::npos) << text << ": " << complaint;
+  }
+  EXPECT_THROW(parse_legend("contact,,cut"), UsageError);
+  EXPECT_EQ(parse_layers(" "), Layers());
+}
+
 TEST(ParseLayers, SuggestsTheNearestName) {
   EXPECT_EQ(complaint_about_layers("cubes,froces"),
             "unknown layer 'froces'; did you mean \"forces\"?");

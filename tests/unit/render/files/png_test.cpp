@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -223,6 +224,16 @@ TEST_F(PngFiles, HaveTemporaryNamesThatNobodyForesees) {
   EXPECT_NE(first.temporary_path(), second.temporary_path());
   const std::string name = std::filesystem::path(first.temporary_path()).filename().string();
   EXPECT_EQ(name.find("." + std::to_string(getpid()) + "."), std::string::npos) << name;
+}
+
+TEST_F(PngFiles, DoNotReplaceWhatIsNoFile) {
+  ASSERT_EQ(mkfifo(path("pipe.png").c_str(), 0600), 0);
+  std::filesystem::create_directory(path("folder.png"));
+  EXPECT_THROW(write_png(path("pipe.png"), Image(2, 2)), OutputError);
+  EXPECT_THROW(write_png(path("folder.png"), Image(2, 2)), OutputError);
+  EXPECT_TRUE(std::filesystem::is_fifo(path("pipe.png")));
+  EXPECT_TRUE(std::filesystem::is_empty(path("folder.png")));
+  EXPECT_THROW(read_png(path("folder.png")), RenderError);
 }
 
 TEST_F(PngFiles, ReplaceOlderOnes) {

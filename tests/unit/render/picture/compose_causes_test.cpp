@@ -1,5 +1,6 @@
 // What marks and words of a reason come to in the draw list.
 #include <algorithm>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,19 @@ TEST(ComposeCauses, TellsWhatFailsAndWhatHelps) {
     EXPECT_GE(text.baseline.x, 0.0F) << text.text;
     EXPECT_LE(text.baseline.y, 600.0F) << text.text;
   }
+}
+
+TEST(ComposeCauses, NamesWhatTheWordsSpeakOfBesideItWhereItIsTooNarrow) {
+  Font font;
+  Snapshot snapshot = two_boxes();
+  const std::string above = "the upper one of the two boxes of this picture";
+  const std::string below = "the lower one of the two boxes of this picture";
+  snapshot.boxes[0].name = below;
+  snapshot.boxes[1].name = above;
+  snapshot.reason->headlines = {above + " tips"};
+  const DrawList list = compose(snapshot, font);
+  EXPECT_TRUE(tells(list, above));
+  EXPECT_FALSE(tells(list, below)) << "of which nothing is said";
 }
 
 TEST(ComposeCauses, MarksTheCornerTheCentreAndTheLever) {

@@ -82,6 +82,22 @@ TEST_F(Composition, WeightsStartAtTheCentres) {
   EXPECT_GT(arrows[0].tip.y, arrows[0].tail.y) << "downwards";
 }
 
+TEST_F(Composition, PointMassesHaveVelocitiesAndWeightsToo) {
+  snapshot.boxes.clear();
+  snapshot.masses = {{"bob", Vec2(1.0, 2.0), 1.0, Vec2(0.0, 3.0)}};
+  const DrawList velocity = compose({Layer::velocities});
+  EXPECT_EQ(velocity.segments.size(), 2U * 3U) << "an open head with its halo";
+  const auto weights = arrows_of(compose({Layer::weights}), style.own_weight);
+  ASSERT_EQ(weights.size(), 1U);
+  const Vec2 place = view.to_pixel(Vec2(1.0, 2.0));
+  EXPECT_NEAR(weights[0].tail.x, place.x(), 1e-3);
+  EXPECT_NEAR(weights[0].tail.y, place.y(), 1e-3);
+  EXPECT_GT(weights[0].tip.y, weights[0].tail.y) << "downwards";
+  ForceRange range;
+  range.include(snapshot);
+  EXPECT_GT(range.scale().metres_per_newton, 0.0) << "of their weights, where nothing else is";
+}
+
 TEST_F(Composition, ACrowdShowsChainsInsteadOfArrows) {
   SnapshotBox far = snapshot.boxes[0];
   far.center = Vec2(-2.0, 4.0);
@@ -168,6 +184,20 @@ TEST_F(Composition, PressureHasItsNumberWithAndWithoutArrows) {
   const auto alone = numbers({Layer::cubes, Layer::joints});
   EXPECT_GE(alone.size(), 7U) << "of nine";
   EXPECT_NE(std::ranges::find(alone, "20.0 N"), alone.end()) << "below the middle";
+}
+
+TEST_F(Composition, WithoutArrowsTheNumberOfAPressureStandsBehindIt) {
+  snapshot.joints.resize(1);
+  options.force_scale.longest = 3.0;
+  SnapshotJoint& joint = snapshot.joints.front();
+  joint.force *= 2.0 / (options.force_scale.metres_per_newton * joint.force.norm());
+  const DrawList list = compose({Layer::joints});
+  ASSERT_EQ(list.texts.size(), 1U);
+  float deepest = 0.0F;
+  for (const SegmentShape& segment : list.segments)
+    deepest = std::max({deepest, segment.from.y, segment.to.y});
+  const internal::Area area = internal::text_area(list.texts.front(), font);
+  EXPECT_NEAR(area.top, deepest, 16.0) << "an arrow of 2 m would begin farther away";
 }
 
 TEST_F(Composition, WithoutArrowsTheNumberOfACornerStandsBesideIt) {

@@ -27,6 +27,8 @@ TEST(Units, HavePrefixesBothWays) {
   EXPECT_EQ(energy_label(843.7, 843.7), "843.7 J");
   EXPECT_EQ(energy_label(12.0, 843.7), "12.0 J") << "digits stand still";
   EXPECT_EQ(energy_label(0.0, 0.0), "0.00 J");
+  EXPECT_EQ(energy_label(-60.784, 60.784), "−60.78 J");
+  EXPECT_EQ(energy_label(-0.003, 5.0), "0.00 J") << "a sign would be of nothing";
 }
 
 TEST(Units, ChangesHaveThePrefixOfWhatChanges) {
