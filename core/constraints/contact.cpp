@@ -149,12 +149,9 @@ void ContactFinder::find_between_boxes(const System& system,
   };
   for (const auto& [i, j] : neighbours_.find(system, bounds_of)) {
     const double scale = contact_scale(system, i, j);
-    const std::size_t known = touches_.size();
     note(
         add_touching_contacts(system, state, boxes_, {i, j}, tolerance * scale, contacts, touches_),
         scale);
-    for (std::size_t k = known; k < touches_.size(); ++k)
-      touches_[k].scale = scale;
   }
 }
 
@@ -176,7 +173,7 @@ void ContactFinder::find_on_planes(const System& system,
         contacts.push_back(corner_on_plane(i, box, k, p, plane));
         ++corners;
       }
-      const Touch touch{Touch::Kind::on_plane, i, p, 0, -1, 0, 1, {}, scale, {}};
+      const Touch touch{Touch::Kind::on_plane, i, p};
       add_plane_touches(touch, corners, contacts, touches_);
     }
   }
