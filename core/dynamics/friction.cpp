@@ -11,11 +11,13 @@
 namespace wuerfel {
 namespace {
 
-/// A name for every contact of an island.
-std::vector<std::uint64_t> keys_of(const Island& island) {
+/// A name for every contact of an island that is in the program over it.
+std::vector<std::uint64_t> keys_of(const ProgramBuilder& builder, const Island& island) {
   std::vector<std::uint64_t> keys;
-  for (const Contact& c : island.contacts)
-    keys.push_back(static_cast<std::uint64_t>(c.id()));
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (builder.use()[k] != SideUse::none)
+      keys.push_back(static_cast<std::uint64_t>(island.contacts[k].id()));
+  }
   return keys;
 }
 
@@ -111,14 +113,10 @@ IslandSolution FrictionDynamics::accelerations(const State& state,
                                                std::span<const SideUse> use,
                                                std::span<const int> slides) {
   builder_.acceleration(state, island, use);
-  builder_.add_friction(state, island, use, Order::acceleration, slides);
+  builder_.add_friction(state, island, slides);
   CoulombResult result;
-  std::vector<std::uint64_t> keys;
-  const std::vector<std::uint64_t> all = keys_of(island);
-  for (std::size_t k = 0; k < use.size(); ++k) {
-    if (use[k] != SideUse::none) keys.push_back(all[k]);
-  }
-  solver_of(island, accelerations_).solve(builder_.friction_program(), result, keys);
+  solver_of(island, accelerations_)
+      .solve(builder_.friction_program(), result, keys_of(builder_, island));
   let_stand(builder_.friction_program(), builder_.still_blocks(state, island), result);
   IslandSolution solution = read(state, island, result);
   keep_if_missed(solution);
@@ -126,9 +124,8 @@ IslandSolution FrictionDynamics::accelerations(const State& state,
 }
 
 IslandSolution FrictionDynamics::impact(const State& state, const Island& island, double slow) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.velocity(state, island, use);
-  builder_.add_friction(state, island, use, Order::velocity);
+  builder_.velocity(state, island);
+  builder_.add_friction(state, island);
   std::vector<double> restitution;
   std::vector<double> closing;
   for (const Contact& c : island.contacts) {
@@ -141,9 +138,10 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
   friction.force_unit = step_;
   CoulombSolver& solver = solver_of(island, motions_);
   if (std::ranges::all_of(restitution, [](double e) { return e == 0.0; })) {
-    solver.solve(friction, result.solution, keys_of(island));
+    solver.solve(friction, result.solution, keys_of(builder_, island));
   } else {
-    impact_with_restitution(solver, friction, restitution, closing, result, keys_of(island));
+    impact_with_restitution(solver, friction, restitution, closing, result,
+                            keys_of(builder_, island));
   }
   IslandSolution solution = read(state, island, result.solution);
   solution.restitution_factor = result.factor;
@@ -152,13 +150,12 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
 }
 
 IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.velocity(state, island, use);
-  builder_.add_friction(state, island, use, Order::velocity);
+  builder_.velocity(state, island);
+  builder_.add_friction(state, island);
   // No impulses are a solution as well; a solver without a memory begins where all stick.
   CoulombSolver solver;
   CoulombResult result;
-  solver.solve(builder_.friction_program(), result, keys_of(island));
+  solver.solve(builder_.friction_program(), result, keys_of(builder_, island));
   IslandSolution solution = read(state, island, result);
   keep_if_missed(solution);
   return solution;
@@ -177,7 +174,7 @@ bool FrictionDynamics::bears(const State& state,
                              double most) {
   ProgramBuilder builder(*system_, Formulation::rigid);
   builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration, slides);
+  builder.add_friction(state, island, slides);
   QuadraticProgram program = builder.program();
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
     const Twist& a = accelerations[k];
@@ -203,10 +200,9 @@ std::optional<IslandSolution> FrictionDynamics::stopping(const State& pushed,
 }
 
 RestResult FrictionDynamics::rest(const State& state, const Island& island, Order order) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  order == Order::velocity ? builder_.velocity(state, island, use)
-                           : builder_.acceleration(state, island, use);
-  builder_.add_friction(state, island, use, order);
+  order == Order::velocity ? builder_.velocity(state, island)
+                           : builder_.acceleration(state, island);
+  builder_.add_friction(state, island);
   if (!rest_) rest_ = std::make_unique<RestProgram>();
   return rest_->solve(builder_.friction_program());
 }
@@ -215,14 +211,13 @@ IslandSolution FrictionDynamics::placement(const State& state,
                                            const Island& island,
                                            std::span<const Twist> targets,
                                            bool again) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.position(state, island, use, targets);
-  builder_.add_friction(state, island, use, Order::position);
+  builder_.position(state, island, {}, targets);
+  builder_.add_friction(state, island);
   FrictionProgram friction = builder_.friction_program();
   friction.force_unit = step_ * step_;
   friction.refines = again && is_placed_once(island);
   CoulombResult result;
-  solver_of(island, motions_).solve(friction, result, keys_of(island));
+  solver_of(island, motions_).solve(friction, result, keys_of(builder_, island));
   return read(state, island, result);
 }
 

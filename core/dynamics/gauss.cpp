@@ -106,7 +106,7 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
               solution.rods.begin());
   int row = builder_.first_contact_row();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use_[k] == SideUse::none) continue;
+    if (builder_.use()[k] == SideUse::none) continue;
     solution.forces[k] = result.multiplier[row];
     solution.slacks[k] = program.slack(row, result.x);
     ++row;
@@ -115,34 +115,30 @@ IslandSolution IslandDynamics::solve(const State& state, const Island& island, M
 }
 
 IslandSolution IslandDynamics::accelerations(const State& state, const Island& island) {
-  use_.clear();
+  std::vector<SideUse> use;
   for (const Contact& contact : island.contacts) {
     const bool active = contact_motion(*system_, state, contact) != ContactMotion::opening;
-    use_.push_back(active ? SideUse::inequality : SideUse::none);
+    use.push_back(active ? SideUse::inequality : SideUse::none);
   }
-  builder_.acceleration(state, island, use_);
-  return solve(state, island, accelerations_);
+  return accelerations(state, island, use);
 }
 
 IslandSolution IslandDynamics::accelerations(const State& state,
                                              const Island& island,
                                              std::span<const SideUse> use) {
-  use_.assign(use.begin(), use.end());
-  builder_.acceleration(state, island, use_);
+  builder_.acceleration(state, island, use);
   return solve(state, island, accelerations_);
 }
 
 IslandSolution IslandDynamics::impact(const State& state, const Island& island) {
-  use_.assign(island.contacts.size(), SideUse::inequality);
-  builder_.velocity(state, island, use_);
+  builder_.velocity(state, island);
   return solve(state, island, impacts_);
 }
 
 IslandSolution IslandDynamics::velocities(const State& state,
                                           const Island& island,
                                           std::span<const SideUse> use) {
-  use_.assign(use.begin(), use.end());
-  builder_.velocity(state, island, use_);
+  builder_.velocity(state, island, use);
   return solve(state, island, velocities_);
 }
 
@@ -150,8 +146,7 @@ IslandSolution IslandDynamics::correction(const State& state,
                                           const Island& island,
                                           std::span<const SideUse> use,
                                           std::span<const Twist> targets) {
-  use_.assign(use.begin(), use.end());
-  builder_.position(state, island, use_, targets);
+  builder_.position(state, island, use, targets);
   return solve(state, island, targets.empty() ? corrections_ : placements_);
 }
 

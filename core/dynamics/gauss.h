@@ -103,7 +103,6 @@ class IslandDynamics {
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
-  std::vector<SideUse> use_;
   Memories accelerations_;
   Memories impacts_;
   Memories velocities_;

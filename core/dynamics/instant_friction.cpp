@@ -130,7 +130,7 @@ RubbingAccelerations accelerations_with_friction(const System& system,
                                                  bool still) {
   ProgramBuilder builder(system, formulation);
   builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration, slides);
+  builder.add_friction(state, island, slides);
   RubbingAccelerations found;
   found.friction.slides = slides;
   RestResult rest;
@@ -162,10 +162,9 @@ bool fall_satisfies_law(const System& system,
                         const State& state,
                         const Island& island,
                         const IslandSolution& frictionless) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   ProgramBuilder builder(system, Formulation::rigid);
-  builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration);
+  builder.acceleration(state, island);
+  builder.add_friction(state, island);
   return FallSearch(builder.friction_program(), with_slips(builder, frictionless)).found();
 }
 

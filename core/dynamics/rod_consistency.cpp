@@ -20,7 +20,7 @@ enum class Fit { independent, redundant, contradicting };
 /// Whether accelerations exist that keep the rods of an island without contacts.
 Fit fit(const System& system, const State& state, const Island& island) {
   ProgramBuilder builder(system, Formulation::rigid);
-  builder.acceleration(state, island, {});
+  builder.acceleration(state, island);
   const QuadraticProgram& program = builder.program();
   EqualitySolver solver;
   std::vector<double> x;

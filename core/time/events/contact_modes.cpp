@@ -260,8 +260,7 @@ bool rests(const Island& island,
     stop(s);
   }
   if (rubs(*work.system, island)) return work.friction.rests(still, island);
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  const IslandSolution solution = accelerations(island, still, use, work);
+  const IslandSolution solution = accelerations(island, still, {}, work);
   return accelerations_vanish(*work.system, island, solution, scales.gravity);
 }
 
@@ -292,8 +291,7 @@ bool would_open(const State& state, std::span<const Touch> closed, double most, 
   find_islands(*work.system, contacts, islands);
   return std::ranges::any_of(islands, [&](const Island& island) {
     if (island.contacts.empty()) return false;
-    const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-    return std::ranges::max(accelerations(island, state, use, work).slacks) > most;
+    return std::ranges::max(accelerations(island, state, {}, work).slacks) > most;
   });
 }
 
