@@ -119,19 +119,20 @@ double gap_at_poses(const System& system, std::span<const Box> boxes, const Cont
   return side_gap(a.normal(c.side), (b.center - a.center) + b.arm[c.corner], a.reach(c.side));
 }
 
-void ContactFinder::find(const System& system,
-                         const State& state,
-                         std::vector<Contact>& contacts,
-                         double tolerance) {
-  contacts.clear();
+std::vector<Contact> ContactFinder::find(const System& system,
+                                         const State& state,
+                                         double tolerance) {
+  std::vector<Contact> contacts;
   touches_.clear();
   deepest_ = {};
   pose_boxes(system, state, boxes_);
   find_between_boxes(system, state, tolerance, contacts);
   find_on_planes(system, tolerance, contacts);
-  if (!system.rubs && !system.bounces) return;
-  for (Touch& touch : touches_)
-    touch.surface = system.surface(touch.on, touch.from);
+  if (system.rubs || system.bounces) {
+    for (Touch& touch : touches_)
+      touch.surface = system.surface(touch.on, touch.from);
+  }
+  return contacts;
 }
 
 void ContactFinder::note(double separation, double scale) {

@@ -97,9 +97,7 @@ void keep_turning(const System& system,
                   const std::vector<Contact>& contacts,
                   const State& before,
                   State& state) {
-  std::vector<Island> islands;
-  find_islands(system, contacts, islands);
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(system, contacts)) {
     double change = 0.0;
     for (const int cube : island.cubes) {
       const Vec2 moved = state[cube].position - before[cube].position;
@@ -116,9 +114,7 @@ std::vector<std::vector<int>> flying_groups(const System& system,
                                             std::span<const char> resting) {
   std::vector<std::vector<int>> groups;
   if (system.rods.empty()) return groups;
-  std::vector<Island> islands;
-  find_islands(system, contacts, islands);
-  for (Island& island : islands) {
+  for (Island& island : find_islands(system, contacts)) {
     const auto rests = [&](int cube) { return !resting.empty() && resting[cube] != 0; };
     if (island.rods.empty() || is_fixed(system, island) || std::ranges::any_of(island.cubes, rests))
       continue;

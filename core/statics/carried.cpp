@@ -70,8 +70,7 @@ MovedScene move(const StillScene& still,
                 double distance) {
   const State state = moved_state(still, group, distance);
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(still.system, state, contacts);
+  finder.find(still.system, state);
   const ContactFinder::Overlap& deepest = finder.deepest();
   if (deepest.depth > touching_tolerance * deepest.scale)
     return {Verdict::undecided, deepest.depth, true};

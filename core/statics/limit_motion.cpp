@@ -109,10 +109,8 @@ std::optional<double> end_of_touch(const StillScene& still,
                                    double before,
                                    double room) {
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(still.system, moved_state(still, group, before), contacts);
   std::optional<double> nearest;
-  for (const Contact& c : contacts) {
+  for (const Contact& c : finder.find(still.system, moved_state(still, group, before))) {
     const bool on = std::ranges::binary_search(group.cubes, c.on);
     if (on == std::ranges::binary_search(group.cubes, c.from)) continue;
     if (still.system.body(c.on).kind == BodyKind::plane

@@ -93,8 +93,7 @@ bool EventMotion::at_rest() const {
 }
 
 double EventMotion::overlap() {
-  std::vector<Contact> overlapping;
-  work_.finder.find(*system_, state(), overlapping, 0.0);
+  work_.finder.find(*system_, state(), 0.0);
   return work_.finder.deepest().depth / work_.finder.deepest().scale;
 }
 

@@ -83,8 +83,7 @@ void find_restrictions(GridPoint& point, Workspace& work, Bookkeeping& book) {
   const GridPoint before = std::move(point);
   point = {before.t, before.state, {}, {}, {}, before.push, before.resting, {}};
   point.resting.resize(work.system->cubes, 0);
-  std::vector<Contact> contacts;
-  work.finder.find(*work.system, point.state, contacts);
+  const std::vector<Contact> contacts = work.finder.find(*work.system, point.state);
   note_overlap(work.finder.deepest().depth, work.finder.deepest().scale, book.audit);
   point.islands = group_cubes(*work.system, contacts, work.skips);
   point.solutions.resize(point.islands.size());

@@ -183,9 +183,7 @@ Push RattleStepper::pushed() const {
 /// happens step after step forces drive what the rods hold.
 void RattleStepper::jam(Step& step, StepRecord& record, double t) {
   if (stride_.jammed.empty()) return;
-  std::vector<Island> islands;
-  find_islands(*system_, landing_.touching(), islands);
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(*system_, landing_.touching())) {
     if (std::ranges::find_first_of(stride_.jammed, island.rods) == stride_.jammed.end()) continue;
     RodJam jam = rod_jam(*system_, step.state, island);
     if (!jam.rods.empty()) {

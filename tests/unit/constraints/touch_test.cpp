@@ -19,7 +19,7 @@ struct FoundTouches {
 FoundTouches find_touches(const Scene& scene) {
   FoundTouches found{Mechanism(scene), {}, {}, {}};
   ContactFinder finder;
-  finder.find(found.m.system, found.m.state, found.contacts);
+  found.contacts = finder.find(found.m.system, found.m.state);
   found.touches = finder.touches();
   found.boxes.assign(finder.boxes().begin(), finder.boxes().end());
   return found;
@@ -73,10 +73,8 @@ TEST(Touch, ContactsOfATouchAreThoseOfItsPair) {
       EXPECT_EQ(IndexPair(std::minmax(f.contacts[k].on, f.contacts[k].from)), touch.pair());
   }
   EXPECT_EQ(next, static_cast<int>(f.contacts.size()));
-  std::vector<Island> islands;
-  find_islands(f.m.system, f.contacts, f.touches, islands);
   int touches = 0;
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(f.m.system, f.contacts, f.touches)) {
     for (const Touch& touch : island.touches) {
       ++touches;
       const Contact& c = island.contacts[touch.first];

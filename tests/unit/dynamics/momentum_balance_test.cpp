@@ -153,11 +153,9 @@ TEST(MomentumBalance, AFixedBodyPushesAndACubeDoesNot) {
   const Scene scene = parse_scene(rubbing, "scene");
   const System system = make_system(scene);
   const State state = initial_state(scene);
-  std::vector<Contact> contacts;
-  ContactFinder().find(system, state, contacts);
   Push sum;
   int fixed = 0;
-  for (const Contact& c : contacts) {
+  for (const Contact& c : ContactFinder().find(system, state)) {
     add_push(system, state, common_center(system, state), c, c.normal, sum);
     if (!system.is_cube(c.on) || !system.is_cube(c.from)) ++fixed;
   }
