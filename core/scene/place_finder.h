@@ -32,11 +32,7 @@ class PlaceFinder {
                                 std::string_view key) const;
 
  private:
-  [[noreturn]] void fail_at(const Origin& origin,
-                            std::string_view key,
-                            const std::string& message) const;
   [[nodiscard]] Vec2 half_size(const BodyRef& body) const;
-  /// Takes the part off a name where there is no body of the whole name. What may be meant either way is refused.
   const BodyPart* split_part(std::string& name, const Origin& origin, std::string_view key) const;
 
   const Scene& scene_;
