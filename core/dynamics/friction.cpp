@@ -49,42 +49,31 @@ CoulombSolver& FrictionDynamics::solver_of(const Island& island, Solvers& solver
   return *solver;
 }
 
-IslandSolution read_solution(const ProgramBuilder& builder,
-                             const State& state,
-                             const Island& island,
-                             const std::vector<double>& x,
-                             const std::vector<double>& multiplier) {
-  IslandSolution solution;
-  solution.forces.assign(island.contacts.size(), 0.0);
+IslandSolution read_with_friction(const ProgramBuilder& builder,
+                                  const State& state,
+                                  const Island& island,
+                                  const std::vector<double>& x,
+                                  const std::vector<double>& multiplier) {
+  IslandSolution solution = read_solution(builder, state, island, x, multiplier);
   solution.tangential.assign(island.contacts.size(), 0.0);
-  solution.slacks.assign(island.contacts.size(), unbounded);
   solution.slips.assign(island.contacts.size(), 0.0);
-  solution.rods.assign(island.rods.size(), 0.0);
-  const QuadraticProgram& program = builder.program();
-  const bool known = static_cast<int>(x.size()) == program.unknowns();
-  solution.twists = builder.twists(state, island, known ? x : program.target);
-  if (!known) return solution;
-  std::copy_n(multiplier.begin() + builder.first_rod_row(), solution.rods.size(),
-              solution.rods.begin());
+  if (static_cast<int>(x.size()) != builder.program().unknowns()) return solution;
   const FrictionProgram friction = builder.friction_program();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const int n = builder.friction_contact()[k];
-    if (n < 0) continue;
-    const FrictionContact& contact = friction.contacts[n];
-    solution.forces[k] = multiplier[contact.normal];
-    solution.slacks[k] = program.slack(contact.normal, x);
-    if (contact.tangent < 0) continue;
-    solution.slips[k] = program.slack(contact.tangent, x);
-    solution.tangential[k] = multiplier[contact.tangent];
+    if (n < 0 || friction.contacts[n].tangent < 0) continue;
+    const int tangent = friction.contacts[n].tangent;
+    solution.slips[k] = friction.program.slack(tangent, x);
+    solution.tangential[k] = multiplier[tangent];
   }
   return solution;
 }
 
-IslandSolution read_solution(const ProgramBuilder& builder,
-                             const State& state,
-                             const Island& island,
-                             const CoulombResult& result) {
-  IslandSolution solution = read_solution(builder, state, island, result.x, result.multiplier);
+IslandSolution read_with_friction(const ProgramBuilder& builder,
+                                  const State& state,
+                                  const Island& island,
+                                  const CoulombResult& result) {
+  IslandSolution solution = read_with_friction(builder, state, island, result.x, result.multiplier);
   solution.status = result.status;
   solution.residual = result.residual.worst();
   solution.friction_inexact = result.inexact();
@@ -96,7 +85,7 @@ IslandSolution read_solution(const ProgramBuilder& builder,
 IslandSolution FrictionDynamics::read(const State& state,
                                       const Island& island,
                                       const CoulombResult& result) const {
-  IslandSolution solution = read_solution(builder_, state, island, result);
+  IslandSolution solution = read_with_friction(builder_, state, island, result);
   const FrictionProgram friction = builder_.friction_program();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const int n = builder_.friction_contact()[k];
