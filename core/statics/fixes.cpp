@@ -168,7 +168,7 @@ std::vector<int> concerned(const Island& island, int m, const Causes& causes) {
   for (const Cause& cause : causes.causes)
     if (cause.island == m) add(cause.part.cubes);
   for (const MovingPart& part : causes.mechanism)
-    if (std::ranges::binary_search(island.cubes, part.cubes.front())) add(part.cubes);
+    if (has(island.cubes, part.cubes.front())) add(part.cubes);
   return cubes;
 }
 
