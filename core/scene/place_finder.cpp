@@ -38,8 +38,7 @@ Vec2 placed(const Vec2& position, double angle, const Vec2& at) {
   return position + at.x() * axis + at.y() * perp(axis);
 }
 
-}  // namespace
-
+/// Where a place is at the start, m.
 Vec2 place_in_world(const Scene& scene, const BodyRef& body, const Vec2& at) {
   if (body.kind == BodyKind::point) return scene.points[body.index].position;
   if (body.kind == BodyKind::cube) {
@@ -49,6 +48,8 @@ Vec2 place_in_world(const Scene& scene, const BodyRef& body, const Vec2& at) {
   const SceneFixed& fixed = scene.fixed[body.index];
   return placed(fixed.position, fixed.angle, at);
 }
+
+}  // namespace
 
 Vec2 PlaceFinder::half_size(const BodyRef& body) const {
   if (body.kind == BodyKind::cube) return 0.5 * scene_.cubes[body.index].size;

@@ -40,7 +40,4 @@ class PlaceFinder {
   const SceneSource& source_;
 };
 
-/// Where a place is at the start, m.
-Vec2 place_in_world(const Scene& scene, const BodyRef& body, const Vec2& at);
-
 }  // namespace wuerfel

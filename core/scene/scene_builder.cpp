@@ -18,7 +18,6 @@
 #include "core/scene/pile.h"
 #include "core/scene/placement.h"
 #include "core/scene/scene_checks.h"
-#include "core/scene/scene_parser.h"
 #include "core/scene/truss.h"
 
 namespace wuerfel {

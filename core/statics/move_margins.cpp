@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/dynamics/momentum.h"
-#include "core/statics/limit_motion.h"
 #include "core/statics/move_search.h"
 #include "core/statics/sets.h"
 
