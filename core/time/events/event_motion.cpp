@@ -177,7 +177,7 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   close(now.state);
   // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
   if (phase_.equations().on_fixed())
-    now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
+    now.settled += unexplained(*system_, now.state, phase_.state());
   // What is put on its contacts is pushed into others that were not there yet, if it has to go far.
   const double way = farthest_way(*system_, state, phase_.state());
   if (way > touching_tolerance * phase_.scales().length && overlap() > 0.0)

@@ -121,7 +121,7 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
 
 /// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
 void note_settled(const System& system, const Island& island, const State& before, Instant& now) {
-  if (is_fixed(system, island)) now.settled += unexplained(system, before, now.state, 0.0, {});
+  if (is_fixed(system, island)) now.settled += unexplained(system, before, now.state);
 }
 
 /// Makes an island rest. That it does is an event where none of its cubes did before.

@@ -60,7 +60,7 @@ void jam_island(GridPoint& point,
   keep_book(jam.hit.after, book);
   const State before = point.state;
   set_velocities(island, jam.hit.after.twists, point.state);
-  point.push += unexplained(system, before, point.state, 0.0, {});
+  point.push += unexplained(system, before, point.state);
   book.audit.impact_loss += jam.hit.loss;
   if (!struck || jam.rods == jammed) note_contradiction(system, jam.rods, point.t, book);
   add_jam_events(system, before, point.state, jam.rods, point.t, book.events);

@@ -88,7 +88,7 @@ Push correct_lengths(State& state,
   keep_book(slowed.solves, book);
   state = std::move(slowed.state);
   const bool fixed = touches_fixed(system, pressed) || std::ranges::any_of(system.rods, is_held);
-  Push settled = fixed ? unexplained(system, before, state, 0.0, {}) : Push{};
+  Push settled = fixed ? unexplained(system, before, state) : Push{};
   book.settled += settled;
   return settled;
 }

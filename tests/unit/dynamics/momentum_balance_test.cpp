@@ -140,7 +140,7 @@ TEST(MomentumBalance, TellsWhatHasNoReason) {
   State after = before;
   after[1].velocity += Vec2(0.0, 2.0);
   after[1].spin += 0.5;
-  const Push change = unexplained(system, before, after, 0.0, {});
+  const Push change = unexplained(system, before, after);
   EXPECT_NEAR(change.linear.y(), 6.0, 1e-14);
   EXPECT_EQ(change.linear.x(), 0.0);
   // The centre is at x = 9 / 4, b at 3.
