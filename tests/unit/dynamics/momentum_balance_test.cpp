@@ -13,9 +13,7 @@ namespace {
 double unexplained_in(const char* text,
                       double until,
                       Integrator integrator = Integrator::automatic) {
-  MotionSettings settings;
-  settings.integrator = integrator;
-  Simulation simulation(parse_scene(text, "scene"), settings);
+  Simulation simulation(parse_scene(text, "scene"), {.integrator = integrator});
   simulation.advance_to(until);
   const Audit audit = simulation.audit();
   return std::max(audit.momentum_linear, audit.momentum_angular);

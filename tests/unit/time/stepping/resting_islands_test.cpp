@@ -89,8 +89,7 @@ TEST(RestingIslands, AreNoneWhereSomethingBeginsToTopple) {
 }
 
 TEST(RestingIslands, AreWhereTheyAreIfTheyAreSolvedAllTheSame) {
-  MotionSettings settings;
-  settings.skips.resting_steps = false;
+  const MotionSettings settings{.skips = {.resting_steps = false}};
   Steps steps(two_cubes(0.5), settings);
   steps.take();
   EXPECT_GE(steps.take(0.5 * step_length).book.cost.qp_solves, 4);
