@@ -45,12 +45,9 @@ void add_rod_forces(const System& system, const std::vector<IslandForces>& islan
 /// Impacts at the start of islands that rub or bounce.
 void strike(State& state, Workspace& work, Bookkeeping& book) {
   const System& system = *work.system;
-  std::vector<Contact> contacts;
-  work.finder.find(system, state, contacts);
-  std::vector<Island> islands;
-  find_islands(system, contacts, islands);
+  const std::vector<Contact> contacts = work.finder.find(system, state);
   const double slow = rate_tolerance * scales_of(system, state).speed;
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(system, contacts)) {
     if (!rubs(system, island) && !bounces(system, island)) continue;
     if (!closes(system, state, island)) continue;
     const IslandSolution after = work.friction.impact(state, island, slow);

@@ -42,7 +42,7 @@ struct MotionSettings {
   QpMethod solver = QpMethod::automatic;
   double tolerance = 1e-8;    ///< of states; also the error budget of the audit
   double step = 1.0 / 240.0;  ///< s, of the stepping integrators; of rattle the longest one
-  Skips skips;
+  Skips skips{};
 };
 
 std::string_view to_string(Integrator integrator);

@@ -119,19 +119,20 @@ double gap_at_poses(const System& system, std::span<const Box> boxes, const Cont
   return side_gap(a.normal(c.side), (b.center - a.center) + b.arm[c.corner], a.reach(c.side));
 }
 
-void ContactFinder::find(const System& system,
-                         const State& state,
-                         std::vector<Contact>& contacts,
-                         double tolerance) {
-  contacts.clear();
+std::vector<Contact> ContactFinder::find(const System& system,
+                                         const State& state,
+                                         double tolerance) {
+  std::vector<Contact> contacts;
   touches_.clear();
   deepest_ = {};
   pose_boxes(system, state, boxes_);
   find_between_boxes(system, state, tolerance, contacts);
   find_on_planes(system, tolerance, contacts);
-  if (!system.rubs && !system.bounces) return;
-  for (Touch& touch : touches_)
-    touch.surface = system.surface(touch.on, touch.from);
+  if (system.rubs || system.bounces) {
+    for (Touch& touch : touches_)
+      touch.surface = system.surface(touch.on, touch.from);
+  }
+  return contacts;
 }
 
 void ContactFinder::note(double separation, double scale) {
@@ -149,12 +150,9 @@ void ContactFinder::find_between_boxes(const System& system,
   };
   for (const auto& [i, j] : neighbours_.find(system, bounds_of)) {
     const double scale = contact_scale(system, i, j);
-    const std::size_t known = touches_.size();
     note(
         add_touching_contacts(system, state, boxes_, {i, j}, tolerance * scale, contacts, touches_),
         scale);
-    for (std::size_t k = known; k < touches_.size(); ++k)
-      touches_[k].scale = scale;
   }
 }
 
@@ -176,7 +174,7 @@ void ContactFinder::find_on_planes(const System& system,
         contacts.push_back(corner_on_plane(i, box, k, p, plane));
         ++corners;
       }
-      const Touch touch{Touch::Kind::on_plane, i, p, 0, -1, 0, 1, {}, scale, {}};
+      const Touch touch{Touch::Kind::on_plane, i, p};
       add_plane_touches(touch, corners, contacts, touches_);
     }
   }

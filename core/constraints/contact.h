@@ -86,10 +86,9 @@ class ContactFinder {
   /// All contacts with gap <= `tolerance` times the smaller side (but at least what rounding of the
   /// positions leaves of a gap), in an order that depends on the state only. Also those of
   /// overlapping pairs, whose gaps are then negative. Rules of the manifold: design, section 1.
-  void find(const System& system,
-            const State& state,
-            std::vector<Contact>& contacts,
-            double tolerance = touching_tolerance);
+  std::vector<Contact> find(const System& system,
+                            const State& state,
+                            double tolerance = touching_tolerance);
 
   /// Who touches whom and how, in the order of the contacts that the last `find` found.
   [[nodiscard]] const std::vector<Touch>& touches() const { return touches_; }

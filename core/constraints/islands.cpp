@@ -6,18 +6,6 @@
 #include "core/geometry/union_find.h"
 
 namespace wuerfel {
-namespace {
-
-/// Keeps its memory.
-void forget(Island& island) {
-  island.cubes.clear();
-  island.contacts.clear();
-  island.touches.clear();
-  island.rods.clear();
-}
-
-}  // namespace
-
 std::vector<int> number_islands(const System& system, std::span<const IndexPair> joined_bodies) {
   UnionFind sets(system.cubes);
   std::vector<int> number(system.cubes, -1);
@@ -43,25 +31,15 @@ std::vector<int> number_islands(const System& system, std::span<const IndexPair>
   return number;
 }
 
-void find_islands(const System& system,
-                  const std::vector<Contact>& contacts,
-                  std::vector<Island>& islands) {
-  find_islands(system, contacts, {}, islands);
-}
-
-void find_islands(const System& system,
-                  const std::vector<Contact>& contacts,
-                  std::span<const Touch> touches,
-                  std::vector<Island>& islands) {
+std::vector<Island> find_islands(const System& system,
+                                 std::span<const Contact> contacts,
+                                 std::span<const Touch> touches) {
   std::vector<IndexPair> joined;
   joined.reserve(contacts.size());
   for (const Contact& c : contacts)
     joined.emplace_back(c.on, c.from);
   const std::vector<int> number = number_islands(system, joined);
-  const int count = number.empty() ? 0 : std::ranges::max(number) + 1;
-  islands.resize(count);
-  for (Island& island : islands)
-    forget(island);
+  std::vector<Island> islands(number.empty() ? 0 : std::ranges::max(number) + 1);
   for (int cube = 0; cube < system.cubes; ++cube)
     if (number[cube] >= 0) islands[number[cube]].cubes.push_back(cube);
   const auto island_of = [&](int on, int from) -> Island& {
@@ -89,6 +67,7 @@ void find_islands(const System& system,
     island.touches.push_back(touch);
     island.touches.back().first = place[touch.first];
   }
+  return islands;
 }
 
 Island one_island(const System& system, const std::vector<Contact>& contacts) {

@@ -21,16 +21,11 @@ struct Island {
 /// by pairs of bodies.
 std::vector<int> number_islands(const System& system, std::span<const IndexPair> joined_bodies);
 
-/// Cubes joined by contacts and rods, in the order of their first cube; free cubes belong to no island.
-void find_islands(const System& system,
-                  const std::vector<Contact>& contacts,
-                  std::vector<Island>& islands);
-
-/// The same with the touches that the contacts belong to.
-void find_islands(const System& system,
-                  const std::vector<Contact>& contacts,
-                  std::span<const Touch> touches,
-                  std::vector<Island>& islands);
+/// Cubes joined by contacts and rods, in the order of their first cube; free cubes belong to no island. With the `touches` that
+/// the contacts belong to, where they are given.
+std::vector<Island> find_islands(const System& system,
+                                 std::span<const Contact> contacts,
+                                 std::span<const Touch> touches = {});
 
 /// All cubes, free ones too, and all contacts as one island: what islands are compared with.
 Island one_island(const System& system, const std::vector<Contact>& contacts);

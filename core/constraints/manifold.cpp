@@ -57,13 +57,13 @@ bool is_flush(
          && incident_corners(b, f, a, tolerance).count >= 2;
 }
 
-/// Edge on edge: the two ends of the overlap of side e of `from` and side f of `on`; none where it
+/// Edge on edge: the two ends of the overlap of side e of `from` and side f of `on`; false where it
 /// has no length. Each end is a corner of one body on the side of the other.
-std::optional<Interval> add_face(const FacingSide& s,
-                                 const Box& a,
-                                 const Box& b,
-                                 double tolerance,
-                                 std::vector<Contact>& contacts) {
+bool add_face(const FacingSide& s,
+              const Box& a,
+              const Box& b,
+              double tolerance,
+              std::vector<Contact>& contacts) {
   const int f = facing_side(b, a.normal(s.side));
   const Vec2 origin = a.corner(next_corner(s.side));
   const Vec2 t = (a.corner(s.side) - origin) / a.length(s.side);
@@ -73,13 +73,13 @@ std::optional<Interval> add_face(const FacingSide& s,
   const double f_high = t.dot(b.corner(next_corner(f)) - origin);
   const double low = std::max(0.0, f_low);
   const double high = std::min(a.length(s.side), f_high);
-  if (high - low <= tolerance) return {};
+  if (high - low <= tolerance) return false;
   contacts.push_back(f_low >= 0.0 ? corner_on_side(s.on, b, f, s.from, a, s.side)
                                   : corner_on_side(s.from, a, next_corner(s.side), s.on, b, f));
   contacts.push_back(f_high <= a.length(s.side)
                          ? corner_on_side(s.on, b, next_corner(f), s.from, a, s.side)
                          : corner_on_side(s.from, a, s.side, s.on, b, f));
-  return Interval{low, high};
+  return true;
 }
 
 /// The touch of the contacts that have been added last: flush, or of one corner.
@@ -91,26 +91,17 @@ Touch touch_of(const std::vector<Contact>& contacts, int count) {
   touch.on = c.on;
   touch.from = c.from;
   touch.side = c.side;
-  touch.overlap = {c.alpha * c.length, c.alpha * c.length};
   return touch;
 }
 
 /// The same of a flush pair, as its first contact sees it.
 Touch flush_touch(const FacingSide& s,
                   std::span<const Box> boxes,
-                  const Interval& overlap,
                   const std::vector<Contact>& contacts) {
   Touch touch = touch_of(contacts, 2);
   touch.kind = Touch::Kind::flush;
-  const int f = facing_side(boxes[s.on], boxes[s.from].normal(s.side));
-  touch.facing = f;
-  touch.overlap = overlap;
-  if (touch.from == s.from) return touch;
-  touch.facing = s.side;
-  // The sides run in opposite senses, and p_i of the one lies at the other's end of the overlap.
-  const double end = boxes[s.on].length(f);
-  const double low = contacts[touch.first].alpha * end;
-  touch.overlap = {std::max(0.0, low - overlap.length()), low};
+  touch.facing =
+      touch.from == s.from ? facing_side(boxes[s.on], boxes[s.from].normal(s.side)) : s.side;
   return touch;
 }
 
@@ -203,8 +194,8 @@ double add_touching_contacts(const System& system,
     const Incident incident = incident_corners(a, s.side, b, tolerance);
     if (is_flush(s, a, b, incident, tolerance)) {
       flush = true;
-      if (const auto overlap = add_face(s, a, b, tolerance, contacts)) {
-        touches.push_back(flush_touch(s, boxes, *overlap, contacts));
+      if (add_face(s, a, b, tolerance, contacts)) {
+        touches.push_back(flush_touch(s, boxes, contacts));
         return sides.largest;
       }
     }

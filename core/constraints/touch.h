@@ -43,9 +43,7 @@ struct Touch {
   int facing = -1;  ///< where flush: number of the side of `on` that lies on it
   int first = 0;
   int count = 1;
-  Interval overlap;    ///< of the side, when it was found; a plane has no ends: zero
-  double scale = 1.0;  ///< m, by which tolerances are measured: the smaller side of the two bodies
-  Material surface;
+  Material surface{};
   /// Coulomb's law between events, of closed touches that rub: they stick, or slip in a known
   /// direction, +1 or -1 along perp(normal), seen from the side.
   bool sticks = false;

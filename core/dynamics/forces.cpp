@@ -94,7 +94,7 @@ ContactForces canonical_forces_with_friction(const System& system,
   const std::vector<SideUse> use = uses(solution);
   ProgramBuilder builder(system, Formulation::rigid);
   builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration, slides);
+  builder.add_friction(state, island, slides);
   const FrictionProgram friction = builder.friction_program();
   const std::vector<int>& number = builder.friction_contact();
   std::vector<double> multiplier(friction.program.rows(), 0.0);

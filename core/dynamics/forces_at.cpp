@@ -42,8 +42,7 @@ std::vector<Island> group_cubes(const System& system,
                                 const std::vector<Contact>& contacts,
                                 const Skips& skips) {
   if (!skips.islands) return {one_island(system, contacts)};
-  std::vector<Island> islands;
-  find_islands(system, contacts, islands);
+  std::vector<Island> islands = find_islands(system, contacts);
   if (!skips.free_bodies) add_free_cubes(system, islands);
   return islands;
 }
@@ -80,8 +79,7 @@ bool ForceFinder::is_last(const State& state, std::span<const Contact> loaded) c
 /// Contacts and islands of a state; contacts that carry load are there whether they touch or not.
 std::vector<IslandForces> ForceFinder::find_touching(const State& state,
                                                      std::span<const Contact> loaded) {
-  std::vector<Contact> contacts;
-  finder_.find(*system_, state, contacts);
+  std::vector<Contact> contacts = finder_.find(*system_, state);
   const std::set<ContactId> loads(loaded_.begin(), loaded_.end());
   if (!loaded.empty()) {
     std::set<ContactId> known;

@@ -11,11 +11,13 @@
 namespace wuerfel {
 namespace {
 
-/// A name for every contact of an island.
-std::vector<std::uint64_t> keys_of(const Island& island) {
+/// A name for every contact of an island that is in the program over it.
+std::vector<std::uint64_t> keys_of(const ProgramBuilder& builder, const Island& island) {
   std::vector<std::uint64_t> keys;
-  for (const Contact& c : island.contacts)
-    keys.push_back(static_cast<std::uint64_t>(c.id()));
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (builder.use()[k] != SideUse::none)
+      keys.push_back(static_cast<std::uint64_t>(island.contacts[k].id()));
+  }
   return keys;
 }
 
@@ -47,42 +49,31 @@ CoulombSolver& FrictionDynamics::solver_of(const Island& island, Solvers& solver
   return *solver;
 }
 
-IslandSolution read_solution(const ProgramBuilder& builder,
-                             const State& state,
-                             const Island& island,
-                             const std::vector<double>& x,
-                             const std::vector<double>& multiplier) {
-  IslandSolution solution;
-  solution.forces.assign(island.contacts.size(), 0.0);
+IslandSolution read_with_friction(const ProgramBuilder& builder,
+                                  const State& state,
+                                  const Island& island,
+                                  const std::vector<double>& x,
+                                  const std::vector<double>& multiplier) {
+  IslandSolution solution = read_solution(builder, state, island, x, multiplier);
   solution.tangential.assign(island.contacts.size(), 0.0);
-  solution.slacks.assign(island.contacts.size(), unbounded);
   solution.slips.assign(island.contacts.size(), 0.0);
-  solution.rods.assign(island.rods.size(), 0.0);
-  const QuadraticProgram& program = builder.program();
-  const bool known = static_cast<int>(x.size()) == program.unknowns();
-  solution.twists = builder.twists(state, island, known ? x : program.target);
-  if (!known) return solution;
-  std::copy_n(multiplier.begin() + builder.first_rod_row(), solution.rods.size(),
-              solution.rods.begin());
+  if (static_cast<int>(x.size()) != builder.program().unknowns()) return solution;
   const FrictionProgram friction = builder.friction_program();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const int n = builder.friction_contact()[k];
-    if (n < 0) continue;
-    const FrictionContact& contact = friction.contacts[n];
-    solution.forces[k] = multiplier[contact.normal];
-    solution.slacks[k] = program.slack(contact.normal, x);
-    if (contact.tangent < 0) continue;
-    solution.slips[k] = program.slack(contact.tangent, x);
-    solution.tangential[k] = multiplier[contact.tangent];
+    if (n < 0 || friction.contacts[n].tangent < 0) continue;
+    const int tangent = friction.contacts[n].tangent;
+    solution.slips[k] = friction.program.slack(tangent, x);
+    solution.tangential[k] = multiplier[tangent];
   }
   return solution;
 }
 
-IslandSolution read_solution(const ProgramBuilder& builder,
-                             const State& state,
-                             const Island& island,
-                             const CoulombResult& result) {
-  IslandSolution solution = read_solution(builder, state, island, result.x, result.multiplier);
+IslandSolution read_with_friction(const ProgramBuilder& builder,
+                                  const State& state,
+                                  const Island& island,
+                                  const CoulombResult& result) {
+  IslandSolution solution = read_with_friction(builder, state, island, result.x, result.multiplier);
   solution.status = result.status;
   solution.residual = result.residual.worst();
   solution.friction_inexact = result.inexact();
@@ -94,7 +85,7 @@ IslandSolution read_solution(const ProgramBuilder& builder,
 IslandSolution FrictionDynamics::read(const State& state,
                                       const Island& island,
                                       const CoulombResult& result) const {
-  IslandSolution solution = read_solution(builder_, state, island, result);
+  IslandSolution solution = read_with_friction(builder_, state, island, result);
   const FrictionProgram friction = builder_.friction_program();
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
     const int n = builder_.friction_contact()[k];
@@ -111,14 +102,10 @@ IslandSolution FrictionDynamics::accelerations(const State& state,
                                                std::span<const SideUse> use,
                                                std::span<const int> slides) {
   builder_.acceleration(state, island, use);
-  builder_.add_friction(state, island, use, Order::acceleration, slides);
+  builder_.add_friction(state, island, slides);
   CoulombResult result;
-  std::vector<std::uint64_t> keys;
-  const std::vector<std::uint64_t> all = keys_of(island);
-  for (std::size_t k = 0; k < use.size(); ++k) {
-    if (use[k] != SideUse::none) keys.push_back(all[k]);
-  }
-  solver_of(island, accelerations_).solve(builder_.friction_program(), result, keys);
+  solver_of(island, accelerations_)
+      .solve(builder_.friction_program(), result, keys_of(builder_, island));
   let_stand(builder_.friction_program(), builder_.still_blocks(state, island), result);
   IslandSolution solution = read(state, island, result);
   keep_if_missed(solution);
@@ -126,9 +113,8 @@ IslandSolution FrictionDynamics::accelerations(const State& state,
 }
 
 IslandSolution FrictionDynamics::impact(const State& state, const Island& island, double slow) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.velocity(state, island, use);
-  builder_.add_friction(state, island, use, Order::velocity);
+  builder_.velocity(state, island);
+  builder_.add_friction(state, island);
   std::vector<double> restitution;
   std::vector<double> closing;
   for (const Contact& c : island.contacts) {
@@ -141,9 +127,10 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
   friction.force_unit = step_;
   CoulombSolver& solver = solver_of(island, motions_);
   if (std::ranges::all_of(restitution, [](double e) { return e == 0.0; })) {
-    solver.solve(friction, result.solution, keys_of(island));
+    solver.solve(friction, result.solution, keys_of(builder_, island));
   } else {
-    impact_with_restitution(solver, friction, restitution, closing, result, keys_of(island));
+    impact_with_restitution(solver, friction, restitution, closing, result,
+                            keys_of(builder_, island));
   }
   IslandSolution solution = read(state, island, result.solution);
   solution.restitution_factor = result.factor;
@@ -152,13 +139,12 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
 }
 
 IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.velocity(state, island, use);
-  builder_.add_friction(state, island, use, Order::velocity);
+  builder_.velocity(state, island);
+  builder_.add_friction(state, island);
   // No impulses are a solution as well; a solver without a memory begins where all stick.
   CoulombSolver solver;
   CoulombResult result;
-  solver.solve(builder_.friction_program(), result, keys_of(island));
+  solver.solve(builder_.friction_program(), result, keys_of(builder_, island));
   IslandSolution solution = read(state, island, result);
   keep_if_missed(solution);
   return solution;
@@ -177,7 +163,7 @@ bool FrictionDynamics::bears(const State& state,
                              double most) {
   ProgramBuilder builder(*system_, Formulation::rigid);
   builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration, slides);
+  builder.add_friction(state, island, slides);
   QuadraticProgram program = builder.program();
   for (std::size_t k = 0; k < island.cubes.size(); ++k) {
     const Twist& a = accelerations[k];
@@ -203,10 +189,9 @@ std::optional<IslandSolution> FrictionDynamics::stopping(const State& pushed,
 }
 
 RestResult FrictionDynamics::rest(const State& state, const Island& island, Order order) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  order == Order::velocity ? builder_.velocity(state, island, use)
-                           : builder_.acceleration(state, island, use);
-  builder_.add_friction(state, island, use, order);
+  order == Order::velocity ? builder_.velocity(state, island)
+                           : builder_.acceleration(state, island);
+  builder_.add_friction(state, island);
   if (!rest_) rest_ = std::make_unique<RestProgram>();
   return rest_->solve(builder_.friction_program());
 }
@@ -215,14 +200,13 @@ IslandSolution FrictionDynamics::placement(const State& state,
                                            const Island& island,
                                            std::span<const Twist> targets,
                                            bool again) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  builder_.position(state, island, use, targets);
-  builder_.add_friction(state, island, use, Order::position);
+  builder_.position(state, island, {}, targets);
+  builder_.add_friction(state, island);
   FrictionProgram friction = builder_.friction_program();
   friction.force_unit = step_ * step_;
   friction.refines = again && is_placed_once(island);
   CoulombResult result;
-  solver_of(island, motions_).solve(friction, result, keys_of(island));
+  solver_of(island, motions_).solve(friction, result, keys_of(builder_, island));
   return read(state, island, result);
 }
 

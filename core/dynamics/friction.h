@@ -17,18 +17,17 @@ bool bounces(const System& system, const Island& island);
 /// Whether the second placement of a step, which makes its order two, is left out where it is dear: many cubes without rods.
 bool is_placed_once(const Island& island);
 
-/// What a point x of the builder's program and its multipliers say of an island; of none (another number of unknowns), that its
-/// cubes move as if nothing touched them.
-IslandSolution read_solution(const ProgramBuilder& builder,
-                             const State& state,
-                             const Island& island,
-                             const std::vector<double>& x,
-                             const std::vector<double>& multiplier);
+/// read_solution with what a program with friction says of forces along sides and slips.
+IslandSolution read_with_friction(const ProgramBuilder& builder,
+                                  const State& state,
+                                  const Island& island,
+                                  const std::vector<double>& x,
+                                  const std::vector<double>& multiplier);
 /// The same of an answer, and how good that is.
-IslandSolution read_solution(const ProgramBuilder& builder,
-                             const State& state,
-                             const Island& island,
-                             const CoulombResult& result);
+IslandSolution read_with_friction(const ProgramBuilder& builder,
+                                  const State& state,
+                                  const Island& island,
+                                  const CoulombResult& result);
 
 /// Builds and solves them. Remembers, island by island, which contacts stuck and slipped; an island
 /// is known by its first cube.

@@ -35,6 +35,31 @@ double IslandSolution::largest_force() const {
 
 double IslandSolution::least_pressing() const { return pressing_share * largest_force(); }
 
+IslandSolution read_solution(const ProgramBuilder& builder,
+                             const State& state,
+                             const Island& island,
+                             const std::vector<double>& x,
+                             const std::vector<double>& multiplier) {
+  IslandSolution solution;
+  solution.forces.assign(island.contacts.size(), 0.0);
+  solution.slacks.assign(island.contacts.size(), unbounded);
+  solution.rods.assign(island.rods.size(), 0.0);
+  const QuadraticProgram& program = builder.program();
+  const bool known = static_cast<int>(x.size()) == program.unknowns();
+  solution.twists = builder.twists(state, island, known ? x : program.target);
+  if (!known) return solution;
+  std::copy_n(multiplier.begin() + builder.first_rod_row(), solution.rods.size(),
+              solution.rods.begin());
+  int row = builder.first_contact_row();
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    if (builder.use()[k] == SideUse::none) continue;
+    solution.forces[k] = multiplier[row];
+    solution.slacks[k] = program.slack(row, x);
+    ++row;
+  }
+  return solution;
+}
+
 Vec2 impulse_at(const Contact& c, const IslandSolution& solution, std::size_t k) {
   const double side = solution.tangential.empty() ? 0.0 : solution.tangential[k];
   return solution.forces[k] * c.normal + side * perp(c.normal);
@@ -77,72 +102,53 @@ void IslandDynamics::solve_anew(const QpSettings& settings, Memory& memory) {
 }
 
 IslandSolution IslandDynamics::solve(const State& state, const Island& island, Memories& memories) {
-  const QuadraticProgram& program = builder_.program();
   // Ipopt remembers nothing but is expensive to make: one for all.
   Memory& memory =
       memories.of_island[settings_.solver == QpMethod::ipopt ? 0 : island.cubes.front()];
   QpSettings settings = memories.settings;
   if (island.cubes.size() <= memories.few_cubes) settings.tolerance = QpSettings{}.tolerance;
-  IslandSolution solution;
-  solution.skipped = still_passes(memory, settings.tolerance);
-  if (!solution.skipped) solve_anew(settings, memory);
+  const bool skipped = still_passes(memory, settings.tolerance);
+  if (!skipped) solve_anew(settings, memory);
   const QpResult& result = memory.result;
-  solution.status = result.status;
-  solution.residual = result.residual.worst();
-  solution.iterations = solution.skipped ? 0 : result.iterations;
   if (result.status != QpStatus::optimal && result.status != QpStatus::infeasible)
-    MissedProgramListener::tell({program, {}});
-  solution.forces.assign(island.contacts.size(), 0.0);
-  solution.slacks.assign(island.contacts.size(), unbounded);
-  solution.rods.assign(island.rods.size(), 0.0);
-  if (static_cast<int>(result.x.size()) != program.unknowns()
-      || !std::isfinite(solution.residual)) {
-    // Without an answer nothing is pushed: the caller sees the status and counts it.
-    solution.twists = builder_.twists(state, island, program.target);
-    return solution;
-  }
-  solution.twists = builder_.twists(state, island, result.x);
-  std::copy_n(result.multiplier.begin() + builder_.first_rod_row(), solution.rods.size(),
-              solution.rods.begin());
-  int row = builder_.first_contact_row();
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use_[k] == SideUse::none) continue;
-    solution.forces[k] = result.multiplier[row];
-    solution.slacks[k] = program.slack(row, result.x);
-    ++row;
-  }
+    MissedProgramListener::tell({builder_.program(), {}});
+  // Without an answer nothing is pushed: the caller sees the status and counts it.
+  const std::vector<double> none;
+  const double residual = result.residual.worst();
+  IslandSolution solution = read_solution(
+      builder_, state, island, std::isfinite(residual) ? result.x : none, result.multiplier);
+  solution.status = result.status;
+  solution.residual = residual;
+  solution.skipped = skipped;
+  solution.iterations = skipped ? 0 : result.iterations;
   return solution;
 }
 
 IslandSolution IslandDynamics::accelerations(const State& state, const Island& island) {
-  use_.clear();
+  std::vector<SideUse> use;
   for (const Contact& contact : island.contacts) {
     const bool active = contact_motion(*system_, state, contact) != ContactMotion::opening;
-    use_.push_back(active ? SideUse::inequality : SideUse::none);
+    use.push_back(active ? SideUse::inequality : SideUse::none);
   }
-  builder_.acceleration(state, island, use_);
-  return solve(state, island, accelerations_);
+  return accelerations(state, island, use);
 }
 
 IslandSolution IslandDynamics::accelerations(const State& state,
                                              const Island& island,
                                              std::span<const SideUse> use) {
-  use_.assign(use.begin(), use.end());
-  builder_.acceleration(state, island, use_);
+  builder_.acceleration(state, island, use);
   return solve(state, island, accelerations_);
 }
 
 IslandSolution IslandDynamics::impact(const State& state, const Island& island) {
-  use_.assign(island.contacts.size(), SideUse::inequality);
-  builder_.velocity(state, island, use_);
+  builder_.velocity(state, island);
   return solve(state, island, impacts_);
 }
 
 IslandSolution IslandDynamics::velocities(const State& state,
                                           const Island& island,
                                           std::span<const SideUse> use) {
-  use_.assign(use.begin(), use.end());
-  builder_.velocity(state, island, use_);
+  builder_.velocity(state, island, use);
   return solve(state, island, velocities_);
 }
 
@@ -150,8 +156,7 @@ IslandSolution IslandDynamics::correction(const State& state,
                                           const Island& island,
                                           std::span<const SideUse> use,
                                           std::span<const Twist> targets) {
-  use_.assign(use.begin(), use.end());
-  builder_.position(state, island, use_, targets);
+  builder_.position(state, island, use, targets);
   return solve(state, island, targets.empty() ? corrections_ : placements_);
 }
 

@@ -40,6 +40,14 @@ struct [[nodiscard]] IslandSolution {
   [[nodiscard]] double least_pressing() const;
 };
 
+/// What a point x of the builder's program and its multipliers say of an island; of none (another number of unknowns), that its
+/// cubes move as if nothing touched them.
+IslandSolution read_solution(const ProgramBuilder& builder,
+                             const State& state,
+                             const Island& island,
+                             const std::vector<double>& x,
+                             const std::vector<double>& multiplier);
+
 /// The impulse (N s), or force (N), of a solution on the body of the corner of its contact k.
 Vec2 impulse_at(const Contact& contact, const IslandSolution& solution, std::size_t k);
 
@@ -103,7 +111,6 @@ class IslandDynamics {
   const System* system_;
   MotionSettings settings_;
   ProgramBuilder builder_;
-  std::vector<SideUse> use_;
   Memories accelerations_;
   Memories impacts_;
   Memories velocities_;

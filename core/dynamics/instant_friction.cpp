@@ -22,7 +22,7 @@ IslandSolution equilibrium(const ProgramBuilder& builder,
                            const Island& island,
                            const std::vector<double>& multiplier) {
   const std::vector<double> zero(builder.program().unknowns(), 0.0);
-  IslandSolution solution = read_solution(builder, state, island, zero, multiplier);
+  IslandSolution solution = read_with_friction(builder, state, island, zero, multiplier);
   solution.twists.assign(island.cubes.size(), {});
   solution.residual = coulomb_residual(builder.friction_program(), zero, multiplier).worst();
   solution.status =
@@ -35,7 +35,7 @@ IslandSolution exact_law(const ProgramBuilder& builder, const State& state, cons
   CoulombSolver().solve(builder.friction_program(), result);
   let_stand(builder.friction_program(), builder.still_blocks(state, island), result);
   if (result.inexact()) MissedProgramListener::tell(builder.friction_program());
-  return read_solution(builder, state, island, result);
+  return read_with_friction(builder, state, island, result);
 }
 
 /// The multipliers that the law has at the contacts' forces of another solution and its slips.
@@ -130,7 +130,7 @@ RubbingAccelerations accelerations_with_friction(const System& system,
                                                  bool still) {
   ProgramBuilder builder(system, formulation);
   builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration, slides);
+  builder.add_friction(state, island, slides);
   RubbingAccelerations found;
   found.friction.slides = slides;
   RestResult rest;
@@ -162,10 +162,9 @@ bool fall_satisfies_law(const System& system,
                         const State& state,
                         const Island& island,
                         const IslandSolution& frictionless) {
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   ProgramBuilder builder(system, Formulation::rigid);
-  builder.acceleration(state, island, use);
-  builder.add_friction(state, island, use, Order::acceleration);
+  builder.acceleration(state, island);
+  builder.add_friction(state, island);
   return FallSearch(builder.friction_program(), with_slips(builder, frictionless)).found();
 }
 

@@ -35,6 +35,12 @@ Momentum sum_momenta(const System& system, const State& state, const Cubes& for_
   return sum;
 }
 
+/// Changes the velocities of a cube by an impulse at an arm from its centre.
+void push_at(const Body& body, const Vec2& arm, const Vec2& p, BodyState& s) {
+  s.velocity += p / body.mass;
+  s.spin += det(arm, p) / body.inertia;
+}
+
 }  // namespace
 
 Vec2 arm_of_side(const Contact& c) {
@@ -56,22 +62,15 @@ void turn(const System& system, std::span<const int> cubes, const RigidMotion& m
 }
 
 void push(const System& system, const Contact& c, const Vec2& impulse, State& state) {
-  const auto add = [&](int cube, const Vec2& arm, const Vec2& p) {
-    const Body& body = system.body(cube);
-    state[cube].velocity += p / body.mass;
-    state[cube].spin += det(arm, p) / body.inertia;
-  };
-  if (system.is_cube(c.on)) add(c.on, c.arm_k, impulse);
-  if (system.is_cube(c.from)) add(c.from, arm_of_side(c), -impulse);
+  if (system.is_cube(c.on)) push_at(system.body(c.on), c.arm_k, impulse, state[c.on]);
+  if (system.is_cube(c.from)) push_at(system.body(c.from), arm_of_side(c), -impulse, state[c.from]);
 }
 
 void push(const System& system, const Rod& rod, double impulse, const State& place, State& state) {
   const Vec2 p = impulse * rod_direction(rod, place);
   const auto add = [&](const RodEnd& end, const Vec2& on_end) {
     if (end.body < 0) return;
-    const Body& body = system.body(end.body);
-    state[end.body].velocity += on_end / body.mass;
-    state[end.body].spin += det(held_place(end, place).arm, on_end) / body.inertia;
+    push_at(system.body(end.body), held_place(end, place).arm, on_end, state[end.body]);
   };
   add(rod.i, p);
   add(rod.j, -p);
@@ -97,9 +96,7 @@ void keep_turning(const System& system,
                   const std::vector<Contact>& contacts,
                   const State& before,
                   State& state) {
-  std::vector<Island> islands;
-  find_islands(system, contacts, islands);
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(system, contacts)) {
     double change = 0.0;
     for (const int cube : island.cubes) {
       const Vec2 moved = state[cube].position - before[cube].position;
@@ -116,9 +113,7 @@ std::vector<std::vector<int>> flying_groups(const System& system,
                                             std::span<const char> resting) {
   std::vector<std::vector<int>> groups;
   if (system.rods.empty()) return groups;
-  std::vector<Island> islands;
-  find_islands(system, contacts, islands);
-  for (Island& island : islands) {
+  for (Island& island : find_islands(system, contacts)) {
     const auto rests = [&](int cube) { return !resting.empty() && resting[cube] != 0; };
     if (island.rods.empty() || is_fixed(system, island) || std::ranges::any_of(island.cubes, rests))
       continue;

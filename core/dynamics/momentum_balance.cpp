@@ -18,14 +18,7 @@ double arm_about(const Vec2& center, const Vec2& position, const Body& body) {
 }  // namespace
 
 Vec2 common_center(const System& system, const State& state, std::span<const char> resting) {
-  double mass = 0.0;
-  Vec2 sum = Vec2::Zero();
-  for (int i = 0; i < system.cubes; ++i) {
-    if (!resting.empty() && resting[i] != 0) continue;
-    mass += system.body(i).mass;
-    sum += system.body(i).mass * state[i].position;
-  }
-  return mass > 0.0 ? Vec2(sum / mass) : sum;
+  return momentum_of_moving(system, state, resting).center;
 }
 
 void add_push(const System& system,

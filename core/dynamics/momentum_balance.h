@@ -31,13 +31,13 @@ Push push_of(const System& system,
              const Island& island,
              const IslandSolution& solution);
 
-/// What of the change of the momenta within `dt` s neither gravity nor `pushes` of fixed bodies
+/// What of the change of the momenta within `dt` s (none: at once) neither gravity nor `pushes` of fixed bodies
 /// account for: N s, and N m s about the common centre. Of the cubes that do not rest.
 Push unexplained(const System& system,
                  const State& before,
                  const State& after,
-                 double dt,
-                 const Push& pushes,
+                 double dt = 0.0,
+                 const Push& pushes = {},
                  std::span<const char> resting = {});
 
 /// Sums of magnitudes, which changes of momenta are measured by.

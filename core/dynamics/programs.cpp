@@ -56,9 +56,12 @@ void ProgramBuilder::build(const State& state,
                            Order order,
                            std::span<const Twist> targets) {
   number_cubes(island);
+  order_ = order;
+  use_.assign(use.begin(), use.end());
+  if (use.empty()) use_.resize(island.contacts.size(), SideUse::inequality);
   if (formulation_ == Formulation::rigid) {
-    lay_out(island, use);
-    fill(state, island, use, order, targets);
+    lay_out(island);
+    fill(state, island, order, targets);
     return;
   }
   program_.clear(2);
@@ -73,11 +76,11 @@ void ProgramBuilder::build(const State& state,
   }
   first_contact_row_ = program_.rows();
   for (std::size_t k = 0; k < island.contacts.size(); ++k)
-    if (use[k] != SideUse::none) add_side(state, island.contacts[k], use[k], order);
+    if (use_[k] != SideUse::none) add_side(state, island.contacts[k], use_[k], order);
 }
 
 /// Masses, and which row couples which cubes.
-void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use) {
+void ProgramBuilder::lay_out(const Island& island) {
   program_.clear(3);
   first_rod_row_ = 0;
   first_contact_row_ = static_cast<int>(island.rods.size());
@@ -103,9 +106,9 @@ void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use)
     }
   }
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use[k] == SideUse::none) continue;
+    if (use_[k] == SideUse::none) continue;
     const Contact& c = island.contacts[k];
-    program_.add_row(0.0, use[k] == SideUse::equality ? -unbounded : 0.0, unbounded);
+    program_.add_row(0.0, use_[k] == SideUse::equality ? -unbounded : 0.0, unbounded);
     program_.row_name.push_back(c.id());
     for (const int body : {c.on, c.from}) {
       if (!system_->is_cube(body)) continue;
@@ -118,7 +121,6 @@ void ProgramBuilder::lay_out(const Island& island, std::span<const SideUse> use)
 
 void ProgramBuilder::fill(const State& state,
                           const Island& island,
-                          std::span<const SideUse> use,
                           Order order,
                           std::span<const Twist> targets) {
   double* f = program_.target.data();
@@ -141,7 +143,7 @@ void ProgramBuilder::fill(const State& state,
     if (rod.j.body >= 0) g = std::copy(row.j.begin(), row.j.end(), g);
   }
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (!use.empty() && use[k] == SideUse::none) continue;
+    if (use_[k] == SideUse::none) continue;
     const Contact& c = island.contacts[k];
     const ContactRow row =
         pull_back(*system_, state, c, order, normal_row(*system_, state, c, order));
@@ -152,30 +154,28 @@ void ProgramBuilder::fill(const State& state,
 }
 
 void ProgramBuilder::renew(const State& state, const Island& island, Order order) {
-  fill(state, island, {}, order, {});
+  fill(state, island, order, {});
 }
 
 void ProgramBuilder::add_friction(const State& state,
                                   const Island& island,
-                                  std::span<const SideUse> use,
-                                  Order order,
                                   std::span<const int> slides) {
   friction_.clear();
   friction_contact_.assign(island.contacts.size(), -1);
   int normal = first_contact_row_;
   for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    if (use[k] == SideUse::none) continue;
+    if (use_[k] == SideUse::none) continue;
     const Contact& c = island.contacts[k];
     FrictionContact rub{normal++, -1, system_->surface(c.on, c.from).friction,
                         slides.empty() ? 0 : slides[k]};
     friction_contact_[k] = static_cast<int>(friction_.size());
     if (rub.mu > 0.0) {
-      const SideRow row = tangential_row(*system_, state, c, order);
+      const SideRow row = tangential_row(*system_, state, c, order_);
       if (formulation_ == Formulation::points) {
         rub.tangent = program_.add_row(-row.c, -unbounded, unbounded);
         add_point_entries(c, row);
       } else {
-        const ContactRow rigid = pull_back(*system_, state, c, order, row);
+        const ContactRow rigid = pull_back(*system_, state, c, order_, row);
         rub.tangent = program_.add_row(-rigid.c, -unbounded, unbounded);
         program_.row_name.push_back(-1 - c.id());
         if (system_->is_cube(c.on)) program_.add_entry(local_[c.on], rigid.on);
@@ -197,13 +197,13 @@ std::vector<char> ProgramBuilder::still_blocks(const State& state, const Island&
 void ProgramBuilder::acceleration(const State& state,
                                   const Island& island,
                                   std::span<const SideUse> use) {
-  build(state, island, use, Order::acceleration, {});
+  build(state, island, use, Order::acceleration);
 }
 
 void ProgramBuilder::velocity(const State& state,
                               const Island& island,
                               std::span<const SideUse> use) {
-  build(state, island, use, Order::velocity, {});
+  build(state, island, use, Order::velocity);
 }
 
 void ProgramBuilder::position(const State& state,

@@ -41,35 +41,35 @@ class ProgramBuilder {
   ProgramBuilder(const System& system, Formulation formulation)
       : system_(&system), formulation_(formulation) {}
 
-  /// Eq. (9). `use` has one entry per contact of the island.
-  void acceleration(const State& state, const Island& island, std::span<const SideUse> use);
+  // `use` has one entry per contact of the island; empty: all are inequalities.
+
+  /// Eq. (9).
+  void acceleration(const State& state, const Island& island, std::span<const SideUse> use = {});
   /// Moreau's impact law.
-  void velocity(const State& state, const Island& island, std::span<const SideUse> use);
+  void velocity(const State& state, const Island& island, std::span<const SideUse> use = {});
   /// Längenkorrektur: displacements from `state`, nearest to `targets` (one per cube of the island,
   /// m and rad; none: nearest to zero).
   void position(const State& state,
                 const Island& island,
-                std::span<const SideUse> use,
+                std::span<const SideUse> use = {},
                 std::span<const Twist> targets = {});
 
   /// The program built last, at another state and of any order, in the rigid form: the same island with
-  /// all of its contacts used as before. Nothing but numbers changes.
+  /// its contacts used as before. Nothing but numbers changes.
   void renew(const State& state, const Island& island, Order order);
 
-  /// Adds, after all other rows, the tangential row of every contact that is used and rubs
-  /// (System::surface), of the order of the program built last. `slides` has the known direction of
+  /// Adds to the program built last, at the same state and after all other rows, the tangential row of
+  /// every contact that is used and rubs (System::surface). `slides` has the known direction of
   /// slip per contact of the island (+1, -1, or 0: free to stick or to slip); empty: all free.
-  void add_friction(const State& state,
-                    const Island& island,
-                    std::span<const SideUse> use,
-                    Order order,
-                    std::span<const int> slides = {});
+  void add_friction(const State& state, const Island& island, std::span<const int> slides = {});
   /// The contacts of the program with their rows and coefficients, after `add_friction`.
   [[nodiscard]] FrictionProgram friction_program() const { return {program_, friction_}; }
   /// Per contact of the island its number in friction_program(), -1 where it is not used.
   [[nodiscard]] const std::vector<int>& friction_contact() const { return friction_contact_; }
 
   [[nodiscard]] const QuadraticProgram& program() const { return program_; }
+  /// How the contacts of the island enter it.
+  [[nodiscard]] const std::vector<SideUse>& use() const { return use_; }
   /// Per block of the program whether it is that of a cube which stands still at `state`, to the bit. Of points none: they are held
   /// together by rods.
   [[nodiscard]] std::vector<char> still_blocks(const State& state, const Island& island) const;
@@ -87,16 +87,12 @@ class ProgramBuilder {
              const Island& island,
              std::span<const SideUse> use,
              Order order,
-             std::span<const Twist> targets);
+             std::span<const Twist> targets = {});
   [[nodiscard]] bool is_point(int cube) const;
   void number_cubes(const Island& island);
   // The rigid form: what stays the same, and the numbers.
-  void lay_out(const Island& island, std::span<const SideUse> use);
-  void fill(const State& state,
-            const Island& island,
-            std::span<const SideUse> use,
-            Order order,
-            std::span<const Twist> targets);
+  void lay_out(const Island& island);
+  void fill(const State& state, const Island& island, Order order, std::span<const Twist> targets);
   // All points.
   void add_points(const State& state, int cube, Order order, const Twist& goal);
   void add_rods(const State& state, int cube, Order order);
@@ -108,6 +104,8 @@ class ProgramBuilder {
   const System* system_;
   Formulation formulation_;
   QuadraticProgram program_;
+  Order order_ = Order::acceleration;  ///< of the program built last
+  std::vector<SideUse> use_;           ///< likewise
   std::vector<FrictionContact> friction_;
   std::vector<int> friction_contact_;
   std::vector<int> local_;        ///< number of a cube within the island

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/model/state.h"
+#include "core/geometry/vec2.h"
 
 namespace wuerfel {
 

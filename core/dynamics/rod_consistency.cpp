@@ -20,7 +20,7 @@ enum class Fit { independent, redundant, contradicting };
 /// Whether accelerations exist that keep the rods of an island without contacts.
 Fit fit(const System& system, const State& state, const Island& island) {
   ProgramBuilder builder(system, Formulation::rigid);
-  builder.acceleration(state, island, {});
+  builder.acceleration(state, island);
   const QuadraticProgram& program = builder.program();
   EqualitySolver solver;
   std::vector<double> x;
@@ -82,9 +82,7 @@ RodConsistency rods_of_island(const System& system, const State& state, const Is
 RodConsistency rod_consistency(const System& system, const State& state) {
   RodConsistency found;
   if (system.rods.empty()) return found;
-  std::vector<Island> islands;
-  find_islands(system, {}, islands);
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(system, {})) {
     const RodConsistency rods = rods_of_island(system, state, island);
     found.redundant = found.redundant || rods.redundant;
     found.contradicting = rods.contradicting;
@@ -98,10 +96,8 @@ RodConsistency rod_consistency_of_start(const System& system,
                                         std::span<const Twist> accelerations) {
   State later = state;
   const double time = scales_of(system, state).time;
-  std::vector<Island> islands;
-  find_islands(system, {}, islands);
   const auto rests = [&](int cube) { return is_still(state[cube]); };
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(system, {})) {
     if (!std::ranges::all_of(island.cubes, rests)) continue;
     for (const int cube : island.cubes) {
       later[cube].velocity = time * accelerations[cube].linear;

@@ -30,7 +30,7 @@ struct Stress {
 
 Stress stress_of(const System& system, const State& state, const Island& island) {
   ProgramBuilder builder(system, Formulation::rigid);
-  builder.velocity(state, island, {});
+  builder.velocity(state, island);
   const QuadraticProgram& program = builder.program();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(program.unknowns(), program.rows());
   for (int row = 0; row < program.rows(); ++row)
@@ -138,8 +138,7 @@ class Rounds {
 
  private:
   bool strike(const Stress& stress) {
-    const std::vector<SideUse> use(island_->contacts.size(), SideUse::inequality);
-    builder_.velocity(now_, *island_, use);
+    builder_.velocity(now_, *island_);
     QuadraticProgram program = builder_.program();
     add_bend_row(*system_, now_, *island_, stress, program);
     solver_->solve(program, result_);

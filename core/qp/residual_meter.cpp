@@ -58,6 +58,13 @@ void replace_zero_norms(std::vector<double>& norms) {
   std::ranges::replace(norms, 0.0, least);
 }
 
+double ResidualScales::largest_force(const std::vector<double>& multiplier) const {
+  double force = weight;
+  for (std::size_t i = 0; i < multiplier.size(); ++i)
+    force = std::max(force, std::abs(multiplier[i]) * row_norm[i]);
+  return force;
+}
+
 double QpResidual::worst() const { return std::max({stationarity, primal, dual, complementarity}); }
 
 void ResidualMeter::find_units(const QuadraticProgram& p) {
@@ -128,10 +135,7 @@ QpResidual ResidualMeter::measure(const QuadraticProgram& program,
   if (!fits || !all_finite(x) || !all_finite(multiplier))
     return {unbounded, unbounded, unbounded, unbounded};
 
-  double force = scales_.weight;
-  for (std::size_t i = 0; i < multiplier.size(); ++i)
-    force = std::max(force, std::abs(multiplier[i]) * scales_.row_norm[i]);
-
+  const double force = scales_.largest_force(multiplier);
   QpResidual residual;
   residual.stationarity = relative(unbalanced_force(program, x, multiplier), force);
   const double per_force = inverse(force);

@@ -18,6 +18,9 @@ struct ResidualScales {
   double acceleration = 0.0;     ///< the largest |f| of a coordinate and |b| / |row|
   double weight = 0.0;           ///< the largest |M f|
   std::vector<double> row_norm;  ///< |row|; see replace_zero_norms
+
+  /// The largest of multipliers as forces, at least `weight`.
+  [[nodiscard]] double largest_force(const std::vector<double>& multiplier) const;
 };
 
 /// Rows of zeros count as long as the normal of a contact, 1, or as the smallest other row: the

@@ -82,8 +82,7 @@ class Chain {
 
  private:
   [[noreturn]] void fail(std::string_view key, const std::string& message) const {
-    ground_.source.fail(place_of(entry_.origin, key), fmt::format("{}.{}", entry_.origin.path, key),
-                        message);
+    fail_at(ground_.source, entry_.origin, key, message);
   }
 
   [[nodiscard]] BodyRef body(int link) const {

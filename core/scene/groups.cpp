@@ -51,14 +51,25 @@ BodyRef find_body(const BodyNames& names,
                   const SceneSource& source) {
   const auto found = names.find(name);
   if (found != names.end()) return found->second;
-  source.fail(place_of(origin, key), fmt::format("{}.{}", origin.path, key),
-              fmt::format("there is no body \"{}\"{}", name,
-                          suggestion(name, names, &BodyNames::value_type::first)));
+  fail_at(source, origin, key,
+          fmt::format("there is no body \"{}\"{}", name,
+                      suggestion(name, names, &BodyNames::value_type::first)));
 }
 
 Place place_of(const Origin& origin, std::string_view key) {
   const Member* member = find_member(std::get<Value::Table>(origin.table->data), key);
   return member == nullptr ? origin.table->place : member->value.place;
+}
+
+void fail_at(const SceneSource& source,
+             const Origin& origin,
+             std::string_view key,
+             const std::string& message) {
+  source.fail(place_of(origin, key), fmt::format("{}.{}", origin.path, key), message);
+}
+
+void fail_at(const SceneSource& source, const Origin& origin, const std::string& message) {
+  source.fail(origin.table->place, origin.path, message);
 }
 
 }  // namespace wuerfel

@@ -62,4 +62,13 @@ BodyRef find_body(const BodyNames& names,
 /// Where `key` of the table at `origin` stands: its value, or the table where there is no such key.
 Place place_of(const Origin& origin, std::string_view key);
 
+/// Throws SceneError about a key of the table at `origin`, or about that table.
+[[noreturn]] void fail_at(const SceneSource& source,
+                          const Origin& origin,
+                          std::string_view key,
+                          const std::string& message);
+[[noreturn]] void fail_at(const SceneSource& source,
+                          const Origin& origin,
+                          const std::string& message);
+
 }  // namespace wuerfel

@@ -22,23 +22,22 @@ class JointReader {
     const auto [from, to] = ends_of(entry, rod.name);
     const double distance = (from.world - to.world).norm();
     if (distance <= touching_tolerance * std::min(from.scale, to.scale)) {
-      source_.fail(
-          entry.origin.table->place, entry.origin.path,
+      fail_at(
+          source_, entry.origin,
           fmt::format("\"{}\" has no length, for its places coincide; use a [[pin]]", rod.name));
     }
     // What the places say must be as fit for reading as what was written.
     if (distance < limits::size.min || distance > limits::size.max) {
-      source_.fail(entry.origin.table->place, entry.origin.path,
-                   fmt::format("\"{}\" would be {} m long, out of range", rod.name, distance));
+      fail_at(source_, entry.origin,
+              fmt::format("\"{}\" would be {} m long, out of range", rod.name, distance));
     }
     rod.length = entry.length.value_or(distance);
     if (std::abs(distance - rod.length) > touching_tolerance * rod.length) {
-      source_.fail(
-          place_of(entry.origin, "length"), entry.origin.path + ".length",
-          fmt::format(
-              "must be the distance of the two places at the start, {} m; it is {} m{}", distance,
-              rod.length,
-              rod.length == 0.0 ? ". Places that stay together are joined by a [[pin]]" : ""));
+      fail_at(source_, entry.origin, "length",
+              fmt::format(
+                  "must be the distance of the two places at the start, {} m; it is {} m{}",
+                  distance, rod.length,
+                  rod.length == 0.0 ? ". Places that stay together are joined by a [[pin]]" : ""));
     }
     rod.from = from.place;
     rod.to = to.place;
@@ -51,8 +50,8 @@ class JointReader {
     const auto [from, to] = ends_of(entry, pin.name);
     const double distance = (from.world - to.world).norm();
     if (distance > touching_tolerance * std::min(from.scale, to.scale)) {
-      source_.fail(
-          entry.origin.table->place, entry.origin.path,
+      fail_at(
+          source_, entry.origin,
           fmt::format(
               "the places of \"{}\" must coincide; they are {:.6g} m apart: [{:.6g}, {:.6g}] and "
               "[{:.6g}, {:.6g}]",
@@ -74,8 +73,7 @@ class JointReader {
     const FoundPlace from = finder_.find(entry.from, entry.origin, "from");
     const FoundPlace to = finder_.find(entry.to, entry.origin, "to");
     const auto fail = [&](std::string_view why) {
-      source_.fail(entry.origin.table->place, entry.origin.path,
-                   fmt::format("\"{}\" {}", name, why));
+      fail_at(source_, entry.origin, fmt::format("\"{}\" {}", name, why));
     };
     if (!from.moves() && !to.moves()) fail("joins two places that cannot move");
     if (from.body && to.body && *from.body == *to.body)

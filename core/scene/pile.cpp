@@ -8,11 +8,20 @@
 #include <fmt/format.h>
 
 #include "core/geometry/bounds.h"
+#include "core/geometry/box.h"
 #include "core/scene/counter_random.h"
 #include "core/scene/groups.h"
 
 namespace wuerfel {
 namespace {
+
+/// Poses a cube was tried in before the region counts as full.
+constexpr int pile_tries = 2'000;
+
+struct PilePose {
+  Vec2 position = Vec2::Zero();  ///< m
+  double angle = 0.0;            ///< rad, in [0, pi)
+};
 
 /// Boxes by the cells of a grid over the region that their bounds meet. A cell is no smaller than
 /// `least_cell`, so that a cube meets few of them.
@@ -92,8 +101,9 @@ std::optional<PilePose> random_pose(const PileEntry& pile, std::uint64_t number)
   return pose;
 }
 
-}  // namespace
-
+/// Poses for the cubes of `pile`, each within the region and at least a hundredth of the smaller
+/// side away from the others, the obstacles and the planes (random sequential addition: about half
+/// the area can be filled). Fewer than pile.count where a cube found no place in pile_tries tries.
 std::vector<PilePose> scatter(const PileEntry& pile,
                               const std::vector<Box>& obstacles,
                               const std::vector<ScenePlane>& planes) {
@@ -123,6 +133,8 @@ std::vector<PilePose> scatter(const PileEntry& pile,
   }
   return poses;
 }
+
+}  // namespace
 
 void scatter_piles(Scene& scene, const std::vector<PileEntry>& piles, const SceneSource& source) {
   if (piles.empty()) return;

@@ -38,8 +38,7 @@ Vec2 placed(const Vec2& position, double angle, const Vec2& at) {
   return position + at.x() * axis + at.y() * perp(axis);
 }
 
-}  // namespace
-
+/// Where a place is at the start, m.
 Vec2 place_in_world(const Scene& scene, const BodyRef& body, const Vec2& at) {
   if (body.kind == BodyKind::point) return scene.points[body.index].position;
   if (body.kind == BodyKind::cube) {
@@ -50,11 +49,7 @@ Vec2 place_in_world(const Scene& scene, const BodyRef& body, const Vec2& at) {
   return placed(fixed.position, fixed.angle, at);
 }
 
-void PlaceFinder::fail_at(const Origin& origin,
-                          std::string_view key,
-                          const std::string& message) const {
-  source_.fail(place_of(origin, key), fmt::format("{}.{}", origin.path, key), message);
-}
+}  // namespace
 
 Vec2 PlaceFinder::half_size(const BodyRef& body) const {
   if (body.kind == BodyKind::cube) return 0.5 * scene_.cubes[body.index].size;
@@ -73,12 +68,12 @@ FoundPlace PlaceFinder::find(const PlaceEntry& entry,
   const BodyPart* part = entry.in_frame ? nullptr : split_part(name, origin, key);
   end.body = find_body(names_, name, origin, key, source_);
   if (end.body->kind == BodyKind::plane) {
-    fail_at(origin, key,
+    fail_at(source_, origin, key,
             fmt::format("\"{}\" is a plane; name a place [x, y] of the world instead", name));
   }
   const bool elsewhere = part != nullptr || !entry.at.isZero(0.0);
   if (end.body->kind == BodyKind::point && elsewhere)
-    fail_at(origin, key, fmt::format("\"{}\" is a point, which has no parts", name));
+    fail_at(source_, origin, key, fmt::format("\"{}\" is a point, which has no parts", name));
   const Vec2 half = half_size(*end.body);
   if (end.body->kind != BodyKind::point) end.scale = 2.0 * half.minCoeff();
   end.place = {name, part != nullptr ? Vec2(part->at.cwiseProduct(half)) : entry.at};
@@ -99,7 +94,7 @@ const BodyPart* PlaceFinder::split_part(std::string& name,
   if (names_.contains(name)) {
     if (owner == names_.end() || found == parts.end() || !has_parts(owner->second)) return nullptr;
     const Vec2 at = found->at.cwiseProduct(half_size(owner->second));
-    fail_at(origin, key,
+    fail_at(source_, origin, key,
             fmt::format("\"{0}\" is a body of that name and a part of \"{1}\" as well; write {{ "
                         "body = \"{0}\", at = [0, 0] }} "
                         "or {{ body = \"{1}\", at = [{2}, {3}] }}",
@@ -108,7 +103,7 @@ const BodyPart* PlaceFinder::split_part(std::string& name,
   if (owner == names_.end()) return nullptr;
   name = body;
   if (found != parts.end()) return &*found;
-  fail_at(origin, key,
+  fail_at(source_, origin, key,
           fmt::format("\"{}\" has no part \"{}\"{}", body, wanted,
                       suggestion(wanted, parts, &BodyPart::name)));
 }

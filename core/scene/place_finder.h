@@ -32,19 +32,12 @@ class PlaceFinder {
                                 std::string_view key) const;
 
  private:
-  [[noreturn]] void fail_at(const Origin& origin,
-                            std::string_view key,
-                            const std::string& message) const;
   [[nodiscard]] Vec2 half_size(const BodyRef& body) const;
-  /// Takes the part off a name where there is no body of the whole name. What may be meant either way is refused.
   const BodyPart* split_part(std::string& name, const Origin& origin, std::string_view key) const;
 
   const Scene& scene_;
   const BodyNames& names_;
   const SceneSource& source_;
 };
-
-/// Where a place is at the start, m.
-Vec2 place_in_world(const Scene& scene, const BodyRef& body, const Vec2& at);
 
 }  // namespace wuerfel

@@ -51,22 +51,17 @@ class Placement {
     if (standing.standing == nullptr || !standing.standing->on) return -1;
     const BodyRef body = find_body(names_, *standing.standing->on, *standing.origin, "on", source_);
     const int index = groups_.index_of(body);
+    std::string_view why;
     if (group(index).placed_by == PlacedBy::pile) {
-      source_.fail(
-          place_of(*standing.origin, "on"), standing.origin->path + ".on",
-          fmt::format("\"{}\" is in a pile, which is scattered last and cannot carry anything",
-                      *standing.standing->on));
+      why = "is in a pile, which is scattered last and cannot carry anything";
+    } else if (group(index).placed_by == PlacedBy::chain) {
+      why = "is in a chain, which is laid when all that stands has its place";
+    } else if (body.kind == BodyKind::point) {
+      why = "is a point, on which nothing can stand";
     }
-    if (group(index).placed_by == PlacedBy::chain) {
-      source_.fail(
-          place_of(*standing.origin, "on"), standing.origin->path + ".on",
-          fmt::format("\"{}\" is in a chain, which is laid when all that stands has its place",
-                      *standing.standing->on));
-    }
-    if (body.kind == BodyKind::point) {
-      source_.fail(
-          place_of(*standing.origin, "on"), standing.origin->path + ".on",
-          fmt::format("\"{}\" is a point, on which nothing can stand", *standing.standing->on));
+    if (!why.empty()) {
+      fail_at(source_, *standing.origin, "on",
+              fmt::format("\"{}\" {}", *standing.standing->on, why));
     }
     return index;
   }
@@ -113,9 +108,7 @@ class Placement {
     }
     if (chain.end() - begin > longest) path += "... on ";
     path += fmt::format("\"{}\"", group(again).name);
-    const Group& last = group(chain.back());
-    source_.fail(place_of(*last.origin, "on"), last.origin->path + ".on",
-                 "goes round in a circle: " + path);
+    fail_at(source_, *group(chain.back()).origin, "on", "goes round in a circle: " + path);
   }
 
   Scene& scene_;

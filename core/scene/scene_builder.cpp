@@ -18,7 +18,6 @@
 #include "core/scene/pile.h"
 #include "core/scene/placement.h"
 #include "core/scene/scene_checks.h"
-#include "core/scene/scene_parser.h"
 #include "core/scene/truss.h"
 
 namespace wuerfel {
@@ -81,10 +80,7 @@ class SceneBuilder {
 
   void add_planes() {
     for (const PlaneEntry& entry : entries_.planes) {
-      if (entry.normal.isZero(0.0)) {
-        source_.fail(place_of(entry.origin, "normal"), entry.origin.path + ".normal",
-                     "must not be zero");
-      }
+      if (entry.normal.isZero(0.0)) fail_at(source_, entry.origin, "normal", "must not be zero");
       const auto index = static_cast<int>(scene_.planes.size());
       ScenePlane plane;
       plane.name = entry.name.value_or(fmt::format("plane{}", index + 1));
@@ -186,7 +182,6 @@ class SceneBuilder {
       add_generated(pyramid, pyramid_layout(pyramid), PlacedBy::standing, &pyramid.standing,
                     fmt::format("pyramid{}", ++number));
     }
-    number = 0;
     for (int i = 0; i < static_cast<int>(entries_.chains.size()); ++i) {
       const ChainEntry& chain = entries_.chains[i];
       if (!chain.link) continue;
@@ -242,7 +237,7 @@ class SceneBuilder {
       const BodyRef a = find_body(names, entry.bodies[0], entry.origin, "bodies", source_);
       const BodyRef b = find_body(names, entry.bodies[1], entry.origin, "bodies", source_);
       const auto fail = [&](const std::string& message) {
-        source_.fail(place_of(entry.origin, "bodies"), entry.origin.path + ".bodies", message);
+        fail_at(source_, entry.origin, "bodies", message);
       };
       if (a == b) fail("must be two different bodies");
       if (!seen.insert(std::minmax(a, b)).second) {

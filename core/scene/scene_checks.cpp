@@ -109,21 +109,18 @@ void check_ranges(const Scene& scene, const Groups& groups, const SceneSource& s
                       && is_within(limits::coordinate, position.y())
                       && is_within(limits::angle, angle) && is_within(limits::mass, mass);
     if (fits) return;
-    const Origin& origin = *groups.of(body).origin;
-    source.fail(
-        origin.table->place, origin.path,
-        fmt::format("\"{}\" would have position [{}, {}], angle {} and mass {}, out of range",
-                    body_name(scene, body), position.x(), position.y(), angle, mass));
+    fail_at(source, *groups.of(body).origin,
+            fmt::format("\"{}\" would have position [{}, {}], angle {} and mass {}, out of range",
+                        body_name(scene, body), position.x(), position.y(), angle, mass));
   };
   const auto check_place = [&](const BodyRef& body, const Vec2& position, const Vec2& size) {
     const double far = position.cwiseAbs().maxCoeff();
     if (far <= most_distance_ratio * size.minCoeff()) return;
-    const Origin& origin = *groups.of(body).origin;
-    source.fail(origin.table->place, origin.path,
-                fmt::format("\"{}\", {} m wide, would have position [{}, {}], out of range: so far "
-                            "out its corners are where its centre is; place it nearer to the "
-                            "origin or make it larger",
-                            body_name(scene, body), size.minCoeff(), position.x(), position.y()));
+    fail_at(source, *groups.of(body).origin,
+            fmt::format("\"{}\", {} m wide, would have position [{}, {}], out of range: so far "
+                        "out its corners are where its centre is; place it nearer to the "
+                        "origin or make it larger",
+                        body_name(scene, body), size.minCoeff(), position.x(), position.y()));
   };
   for (std::size_t i = 0; i < scene.fixed.size(); ++i) {
     check({BodyKind::fixed, static_cast<int>(i)}, scene.fixed[i].position, scene.fixed[i].angle,
@@ -154,8 +151,8 @@ void check_overlap(const Scene& scene, const Groups& groups, const SceneSource& 
   const bool can_stand = overlap->second.kind != BodyKind::point;
   const std::string_view otherwise = can_stand ? ", or let one stand on the other with `on`" : "";
   try {
-    source.fail(later.table->place, later.path,
-                fmt::format("{}; move them apart{}", overlap_message(scene, *overlap), otherwise));
+    fail_at(source, later,
+            fmt::format("{}; move them apart{}", overlap_message(scene, *overlap), otherwise));
   } catch (const SceneError& error) {
     throw OverlapError(error.what());
   }

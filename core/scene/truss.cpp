@@ -84,10 +84,7 @@ std::vector<ScenePoint> truss_points(const TrussEntry& truss,
                                      const Material& material,
                                      const SceneSource& source) {
   const Vec2 span = truss.to - truss.from;
-  if (span.isZero(0.0)) {
-    source.fail(place_of(truss.origin, "to"), truss.origin.path + ".to",
-                "must be another place than `from`");
-  }
+  if (span.isZero(0.0)) fail_at(source, truss.origin, "to", "must be another place than `from`");
   const Vec2 up = truss.height * perp(span.normalized());
   const auto at = [&](double bays) -> Vec2 {
     return truss.from + bays / static_cast<double>(truss.count) * span;

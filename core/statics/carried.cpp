@@ -5,6 +5,7 @@
 
 #include "core/dynamics/momentum.h"
 #include "core/statics/parts.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -17,7 +18,7 @@ std::vector<int> part_of(const StillScene& still, const Island& island, int cube
 
 /// Whether a rod joins cubes to anything else.
 bool tied(const StillScene& still, const Island& island, const std::vector<int>& cubes) {
-  const auto inside = [&](int body) { return std::ranges::binary_search(cubes, body); };
+  const auto inside = [&](int body) { return has(cubes, body); };
   return std::ranges::any_of(island.rods, [&](int number) {
     const Rod& rod = still.system.rods[number];
     return inside(rod.i.body) != inside(rod.j.body);
@@ -34,8 +35,8 @@ std::optional<CarriedGroup> carried_group(const StillScene& still, int cube) {
   if (tied(still, island, group.cubes)) return std::nullopt;
   std::optional<Vec2> normal;
   for (const Contact& c : island.contacts) {
-    const bool on = std::ranges::binary_search(group.cubes, c.on);
-    const bool from = std::ranges::binary_search(group.cubes, c.from);
+    const bool on = has(group.cubes, c.on);
+    const bool from = has(group.cubes, c.from);
     if (on == from) continue;
     const Vec2 n = on ? c.normal : Vec2(-c.normal);
     if (-n.dot(still.down()) <= parallel) continue;  // beside it, or above
@@ -70,8 +71,7 @@ MovedScene move(const StillScene& still,
                 double distance) {
   const State state = moved_state(still, group, distance);
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(still.system, state, contacts);
+  finder.find(still.system, state);
   const ContactFinder::Overlap& deepest = finder.deepest();
   if (deepest.depth > touching_tolerance * deepest.scale)
     return {Verdict::undecided, deepest.depth, true};

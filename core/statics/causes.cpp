@@ -64,7 +64,7 @@ Certificate certify(const StillScene& still) {
 
 /// The body at the other side of a contact of a part.
 int partner(const PartStand& part, const Contact& c) {
-  return std::ranges::binary_search(part.cubes, c.on) ? c.from : c.on;
+  return has(part.cubes, c.on) ? c.from : c.on;
 }
 
 /// What presses at more than one place is driven along by them, not over a corner.
@@ -198,8 +198,8 @@ class Mechanism {
     double hardest = 0.0;
     for (std::size_t k = 0; k < of_.island.contacts.size(); ++k) {
       const Contact& c = of_.island.contacts[k];
-      const bool on = std::ranges::binary_search(part.cubes, c.on);
-      if (on == std::ranges::binary_search(part.cubes, c.from)) continue;
+      const bool on = has(part.cubes, c.on);
+      if (on == has(part.cubes, c.from)) continue;
       if (!closed(static_cast<int>(k))) add_once(on ? c.from : c.on, part.opens);
       if (of_.solution.forces[k] <= hardest) continue;
       hardest = of_.solution.forces[k];

@@ -168,7 +168,7 @@ std::vector<int> concerned(const Island& island, int m, const Causes& causes) {
   for (const Cause& cause : causes.causes)
     if (cause.island == m) add(cause.part.cubes);
   for (const MovingPart& part : causes.mechanism)
-    if (std::ranges::binary_search(island.cubes, part.cubes.front())) add(part.cubes);
+    if (has(island.cubes, part.cubes.front())) add(part.cubes);
   return cubes;
 }
 
@@ -179,10 +179,9 @@ Verdict verdict_with_force(const StillScene& still,
                            const Vec2& point,
                            const Vec2& force) {
   const Island& island = still.found.islands[still.island_of(cube)].island;
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   ProgramBuilder builder(still.system, Formulation::rigid);
-  builder.acceleration(still.state, island, use);
-  if (still.system.rubs) builder.add_friction(still.state, island, use, Order::acceleration);
+  builder.acceleration(still.state, island);
+  if (still.system.rubs) builder.add_friction(still.state, island);
   QuadraticProgram program = builder.program();
   const Load load = force_at(still, island, cube, point, force);
   for (int k = 0; k < program.unknowns(); ++k)

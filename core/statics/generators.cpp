@@ -44,10 +44,9 @@ Generators find_generators(const System& system,
                            const Island& island,
                            Sliding sliding) {
   const System of = sliding == Sliding::none ? rough(system) : system;
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
   ProgramBuilder builder(of, Formulation::rigid);
-  builder.acceleration(state, island, use);
-  if (of.rubs) builder.add_friction(state, island, use, Order::acceleration);
+  builder.acceleration(state, island);
+  if (of.rubs) builder.add_friction(state, island);
   Generators generators{builder.program(), {}};
   QuadraticProgram& p = generators.program;
   std::ranges::fill(p.bound, 0.0);

@@ -7,6 +7,7 @@
 #include "core/dynamics/gauss.h"
 #include "core/dynamics/programs.h"
 #include "core/qp/methods/equality_solver.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -25,8 +26,7 @@ class LimitMotion {
     const State state = moved_state(still_, group_, s);
     const InstantForces found = forces_at(still_.system, settings, state, Detail::accelerations);
     const auto falls = [&](const IslandForces& of) {
-      return !of.rests && !of.friction
-             && std::ranges::binary_search(of.island.cubes, group_.cubes[0]);
+      return !of.rests && !of.friction && has(of.island.cubes, group_.cubes[0]);
     };
     const auto of = std::ranges::find_if(found.islands, falls);
     if (of == found.islands.end()) return false;
@@ -109,12 +109,10 @@ std::optional<double> end_of_touch(const StillScene& still,
                                    double before,
                                    double room) {
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(still.system, moved_state(still, group, before), contacts);
   std::optional<double> nearest;
-  for (const Contact& c : contacts) {
-    const bool on = std::ranges::binary_search(group.cubes, c.on);
-    if (on == std::ranges::binary_search(group.cubes, c.from)) continue;
+  for (const Contact& c : finder.find(still.system, moved_state(still, group, before))) {
+    const bool on = has(group.cubes, c.on);
+    if (on == has(group.cubes, c.from)) continue;
     if (still.system.body(c.on).kind == BodyKind::plane
         || still.system.body(c.from).kind == BodyKind::plane)
       continue;

@@ -10,6 +10,7 @@
 #include "core/statics/move_margins.h"
 #include "core/statics/part_motions.h"
 #include "core/statics/parts.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -164,7 +165,7 @@ void find_of_bodies(const StillScene& still,
     IslandMargins of(still, still.found.islands[m]);
     MoveMargins moves(still, settings, m);
     for (BodyMargin& body : margins.bodies) {
-      if (!std::ranges::binary_search(island.cubes, body.cube)) continue;
+      if (!has(island.cubes, body.cube)) continue;
       if (request.shift) body.shift = of.shift(body.cube);
       if (request.load) body.load = of.load(body.cube);
       if (request.move) body.move = moves.range(body.cube);

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/dynamics/momentum.h"
-#include "core/statics/limit_motion.h"
 #include "core/statics/move_search.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 namespace {
@@ -32,7 +32,7 @@ double moved_mass(const StillScene& still,
                   const std::vector<int>& cubes) {
   double moved = 0.0;
   for (const int cube : group.cubes)
-    if (std::ranges::binary_search(cubes, cube)) moved += still.system.body(cube).mass;
+    if (has(cubes, cube)) moved += still.system.body(cube).mass;
   return moved;
 }
 
@@ -107,9 +107,9 @@ double MoveMargins::end_of_faces(const CarriedGroup& group, double sense) const 
   pose_boxes(still_->system, still_->state, boxes);
   double end = -unbounded;
   for (const Contact& c : still_->found.islands[group.island].island.contacts) {
-    const bool on = std::ranges::binary_search(group.cubes, c.on);
+    const bool on = has(group.cubes, c.on);
     const int other = on ? c.from : c.on;
-    if (on == std::ranges::binary_search(group.cubes, c.from)) continue;
+    if (on == has(group.cubes, c.from)) continue;
     if (still_->system.body(other).kind == BodyKind::plane) return sense * unbounded;
     for (int k = 0; k < Box::corners; ++k) {
       const Vec2 corner = boxes[other].corner(k);

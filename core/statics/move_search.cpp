@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/statics/limit_motion.h"
+
 namespace wuerfel {
 namespace {
 

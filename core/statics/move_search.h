@@ -1,7 +1,7 @@
 /// How far a group of cubes can be moved until a scene falls, or stands: found by looking at moved scenes.
 #pragma once
 
-#include "core/statics/limit_motion.h"
+#include "core/statics/carried.h"
 
 namespace wuerfel {
 

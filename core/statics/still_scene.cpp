@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "core/geometry/vec2.h"
+#include "core/statics/sets.h"
 
 namespace wuerfel {
 
 int StillScene::island_of(int cube) const {
-  const auto of = std::ranges::find_if(found.islands, [cube](const IslandForces& f) {
-    return std::ranges::binary_search(f.island.cubes, cube);
-  });
+  const auto of = std::ranges::find_if(
+      found.islands, [cube](const IslandForces& f) { return has(f.island.cubes, cube); });
   return of == found.islands.end() ? -1 : static_cast<int>(of - found.islands.begin());
 }
 

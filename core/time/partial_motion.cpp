@@ -190,11 +190,9 @@ std::optional<std::vector<Event>> PartialMotion::withstand(const std::map<int, P
     pushed[cube].velocity = blow.linear / system.body(cube).mass;
     pushed[cube].spin = blow.angular / system.body(cube).inertia;
   }
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work_->finder.find(system, pushed, contacts, touching_);
+  std::vector<Contact> contacts = work_->finder.find(system, pushed, touching_);
   std::erase_if(contacts, [&](const Contact& c) { return moves[c.on] != 0 || moves[c.from] != 0; });
-  find_islands(system, contacts, islands);
+  std::vector<Island> islands = find_islands(system, contacts);
   add_free_cubes(system, islands);
   std::vector<Event> events;
   for (const Island& island : islands) {

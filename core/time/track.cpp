@@ -87,7 +87,7 @@ bool Track::rest_from(const State& state, double t, double touching, std::vector
   if (!(events_.start(still, t, limits, std::move(resting), found) && events_.at_rest()))
     return false;
   found.losses.push_back({t, energy(*system_, state) - energy(*system_, still), false, t});
-  found.settled += unexplained(*system_, state, still, 0.0, {});
+  found.settled += unexplained(*system_, state, still);
   add(found, book_);
   return true;
 }
@@ -115,7 +115,7 @@ bool Track::part_from(const State& state, double t, double touching, double long
   part_->set_longest_step(longest * crowding_.frame());
   const State& begun = part_->state();
   book_.losses.push_back({t, energy(*system_, state) - energy(*system_, begun), false, t});
-  book_.settled += unexplained(*system_, state, begun, 0.0, {});
+  book_.settled += unexplained(*system_, state, begun);
   MotionPiece piece;
   piece.kind = MotionPiece::Kind::part;
   piece.begin = t;
@@ -314,7 +314,7 @@ void Track::go_on_or_hand_back() {
 void Track::book_closing(const State& closed) {
   const double loss = energy(*system_, steps_->state()) - energy(*system_, closed);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
-  book_.settled += unexplained(*system_, steps_->state(), closed, 0.0, {});
+  book_.settled += unexplained(*system_, steps_->state(), closed);
 }
 
 bool Track::hand_to_part() {

@@ -82,8 +82,7 @@ void count_motion(const std::string& scene) {
 /// A crowded bin up to `end` s: long enough that it does not matter much how exactly cubes fall.
 void count_bin(Integrator integrator, double end) {
   const BenchScene bench = make_bench_scene("pile_30");
-  MotionSettings settings;
-  settings.integrator = integrator;
+  const MotionSettings settings{.integrator = integrator};
   count(bench.name + " by " + std::string(to_string(integrator)), [&] {
     Simulation simulation(bench.scene, settings);
     simulation.advance_to(end);

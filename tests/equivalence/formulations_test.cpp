@@ -28,10 +28,7 @@ TEST_P(Formulations, GiveTheSameAccelerationsWithEverySolver) {
   const Check expected = check(scene, {});
   for (const Formulation formulation : {Formulation::rigid, Formulation::points}) {
     for (const QpMethod solver : {QpMethod::automatic, QpMethod::ipopt}) {
-      MotionSettings settings;
-      settings.formulation = formulation;
-      settings.solver = solver;
-      const Check answer = check(scene, settings);
+      const Check answer = check(scene, {.formulation = formulation, .solver = solver});
       EXPECT_EQ(answer.verdict, expected.verdict);
       const double g = scene.gravity.isZero() ? 1.0 : scene.gravity.norm();
       for (std::size_t i = 0; i < scene.cubes.size(); ++i) {

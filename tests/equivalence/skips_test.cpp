@@ -123,10 +123,8 @@ Scene standing() {
 }
 
 TEST(Skips, OfStepsOfWhatRestsLeaveEveryBitAsItIs) {
-  MotionSettings without;
-  without.skips.resting_steps = false;
   Simulation a(standing(), {});
-  Simulation b(standing(), without);
+  Simulation b(standing(), {.skips = {.resting_steps = false}});
   a.advance_to(1.0);
   b.advance_to(1.0);
   EXPECT_EQ(a.state_hash(), b.state_hash());
@@ -148,10 +146,8 @@ TEST(Skips, OfWhatStandsDoesNotChangeTheMotion) {
     c.material.friction = 0.6;
   scene.cubes.back().material.friction = 0.0;
   scene.planes.front().material.friction = 0.6;
-  MotionSettings without;
-  without.skips.standing = false;
   Simulation a(scene, {});
-  Simulation b(scene, without);
+  Simulation b(scene, {.skips = {.standing = false}});
   for (int k = 1; k <= 10; ++k) {
     a.advance_to(0.05 * k);
     b.advance_to(0.05 * k);

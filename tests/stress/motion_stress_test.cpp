@@ -120,9 +120,7 @@ TEST(Gallery, NothingTunnelsAtTwoHundredMetresPerSecond) {
         scene.cubes[1].size = {0.02, 5.0};
         scene.cubes[1].mass = 1000.0;
       }
-      MotionSettings settings;
-      settings.integrator = integrator;
-      Simulation simulation(scene, settings);
+      Simulation simulation(scene, {.integrator = integrator});
       simulation.advance_to(0.1);
       const double wall = fixed ? 5.0 : simulation.states()[1].position.x();
       EXPECT_LE(simulation.states()[0].position.x(), wall - 0.06 + 1e-9) << to_string(integrator);
@@ -149,9 +147,7 @@ Scene some_motion(double scale = 1.0, const Vec2& shift = Vec2::Zero(), bool mir
 }
 
 State final_state(const Scene& scene, double t, double tolerance = 1e-8) {
-  MotionSettings settings;
-  settings.tolerance = tolerance;
-  Simulation simulation(scene, settings);
+  Simulation simulation(scene, {.tolerance = tolerance});
   simulation.advance_to(t);
   return simulation.states();
 }

@@ -8,8 +8,7 @@ namespace wuerfel::test {
 /// Deepest overlap of a state, as a share of the smaller side of the pair.
 inline double deepest_overlap(const System& system, const State& state) {
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(system, state, contacts);
+  finder.find(system, state);
   return finder.deepest().depth / finder.deepest().scale;
 }
 

@@ -18,9 +18,7 @@ inline BodyState one_step(const Scene& scene,
                           Formulation formulation,
                           Bookkeeping& book) {
   const System system = make_system(scene);
-  MotionSettings settings;
-  settings.formulation = formulation;
-  Workspace work(system, settings);
+  Workspace work(system, {.formulation = formulation});
   GridPoint point;
   point.state = initial_state(scene);
   find_restrictions(point, work, book);

@@ -12,15 +12,12 @@ class LandingCube {
  public:
   explicit LandingCube(double friction = 0.0, double restitution = 0.0)
       : m_(scene(friction, restitution)) {
-    ContactFinder finder;
-    std::vector<Contact> contacts;
-    finder.find(m_.system, m_.state, contacts, 0.1);
     stride.h = 0.1;
     stride.scales = scales_of(m_.system, m_.state);
     stride.start = stride.half = m_.state;
     stride.half[0].velocity.setZero();
     stride.before = end = stride.half;
-    for (const Contact& c : contacts)
+    for (const Contact& c : ContactFinder().find(m_.system, m_.state, 0.1))
       stride.blows[c.id()] = {c, c, {0.0, 0.5}, Vec2::Zero()};
   }
   [[nodiscard]] const System& system() const { return m_.system; }

@@ -16,9 +16,7 @@ int main(int count, char** names) {
     for (const Integrator integrator :
          {Integrator::automatic, Integrator::event, Integrator::rattle, Integrator::moreau,
           Integrator::euler}) {
-      MotionSettings settings;
-      settings.integrator = integrator;
-      Simulation simulation(parse_scene(text.str(), names[i]), settings);
+      Simulation simulation(parse_scene(text.str(), names[i]), {.integrator = integrator});
       simulation.advance_to(1.0);
       std::printf("%016llx %s %s\n", static_cast<unsigned long long>(simulation.state_hash()),
                   names[i], std::string(to_string(integrator)).c_str());

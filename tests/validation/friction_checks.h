@@ -15,9 +15,7 @@ inline constexpr double tolerance = 1e-9;          // of g
 inline constexpr double balance_tolerance = 1e-8;  // of the total weight
 
 inline Check check_as(const Scene& scene, Formulation formulation = Formulation::rigid) {
-  MotionSettings settings;
-  settings.formulation = formulation;
-  return check(scene, settings);
+  return check(scene, {.formulation = formulation});
 }
 
 inline const SceneCube* find_cube(const Scene& scene, const std::string& name) {

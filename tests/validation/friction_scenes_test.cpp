@@ -14,11 +14,8 @@ namespace {
 constexpr double ten_hours = 36000.0;
 
 MotionSettings whole_steps(double step) {
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
-  settings.step = step;
-  settings.tolerance = 1.0;  // no step is halved
-  return settings;
+  constexpr double bears_all = 1.0;  // no step is halved
+  return {.integrator = Integrator::rattle, .tolerance = bears_all, .step = step};
 }
 
 /// Unit cubes one on the other on a slope that rises to the right by `angle`; friction is that of
@@ -81,8 +78,7 @@ void expect_same_bits(const State& a, const State& b) {
 class Creep : public testing::TestWithParam<Integrator> {};
 
 TEST_P(Creep, IsNone) {
-  MotionSettings settings;
-  settings.integrator = GetParam();
+  const MotionSettings settings{.integrator = GetParam()};
   for (const Scene& scene : {tower_on_slope(5, 0.12, 0.999), tower_on_slope(1, 0.3, 0.999999)}) {
     Simulation simulation(scene, settings);
     const State start = simulation.states();
@@ -93,8 +89,7 @@ TEST_P(Creep, IsNone) {
 }
 
 TEST_P(Creep, IsNoneOnceWhatFellHasComeToRest) {
-  MotionSettings settings;
-  settings.integrator = GetParam();
+  const MotionSettings settings{.integrator = GetParam()};
   Scene scene = tower_on_slope(5, 0.12, 0.9);
   for (SceneCube& c : scene.cubes)
     c.position += 1e-3 * Vec2::UnitY();
@@ -240,9 +235,7 @@ TEST(Painleve, JamsAndGoesOnFromEventToEvent) {
     EXPECT_NEAR(simulation.states()[0].spin, centre.y() / inertia, 1e-12);
     simulation.advance_to(0.9);
     EXPECT_EQ(simulation.cost().hand_overs, 0);
-    MotionSettings exact;
-    exact.tolerance = 1e-11;
-    EXPECT_LE(distance(simulation.states(), after(scene, 0.9, exact)), 1e-8);
+    EXPECT_LE(distance(simulation.states(), after(scene, 0.9, {.tolerance = 1e-11})), 1e-8);
     EXPECT_LE(std::abs(simulation.audit().drift()), 1e-9);
   }
 }

@@ -209,9 +209,7 @@ TEST(FrictionInMotion, ImpactsAtTheStartComeFirst) {
 TEST(FrictionSnapshot, ShowsForcesAlongSides) {
   const ReferenceCase reference = read_reference_case("friction_incline_stick");
   Simulation simulation(reference.scene, {});
-  SnapshotRequest request;
-  request.forces = true;
-  const Snapshot snapshot = simulation.snapshot(request);
+  const Snapshot snapshot = simulation.snapshot({.forces = true});
   Vec2 sum = Vec2::Zero();
   double along = 0.0;
   for (const SnapshotForce& force : snapshot.forces) {

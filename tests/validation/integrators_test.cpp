@@ -15,9 +15,7 @@ namespace wuerfel::test {
 namespace {
 
 State state_at(const Scene& scene, double t, Integrator integrator, double step) {
-  MotionSettings settings;
-  settings.integrator = integrator;
-  settings.step = step;
+  MotionSettings settings{.integrator = integrator, .step = step};
   // The steps that are asked for, none of them halved for its error.
   if (integrator == Integrator::rattle) settings.tolerance = 1.0;
   Simulation simulation(scene, settings);
@@ -127,8 +125,7 @@ TEST(Integrators, SteppingComesToTheEventDrivenMotion) {
 TEST(Integrators, ATighterToleranceGivesMoreDigits) {
   const ReferenceCase reference = read_reference_case("tip_corner_square");
   const double t = 0.45;
-  MotionSettings settings;
-  settings.tolerance = 1e-13;
+  MotionSettings settings{.tolerance = 1e-13};
   Simulation exact(reference.scene, settings);
   exact.advance_to(t);
   double before = 1.0;

@@ -23,10 +23,9 @@ struct Method {
 class FreeFall : public testing::TestWithParam<Method> {};
 
 TEST_P(FreeFall, IsTheIntegratorsOwnSum) {
-  MotionSettings settings;
-  settings.integrator = GetParam().integrator;
-  settings.formulation = GetParam().formulation;
-  settings.step = 1.0 / 128.0;
+  const MotionSettings settings{.integrator = GetParam().integrator,
+                                .formulation = GetParam().formulation,
+                                .step = 1.0 / 128.0};
   Scene scene;
   scene.cubes = {moving_cube({0.0, 10.0}, 0.3, {1.0, 2.0}, 0.5)};
   Simulation simulation(scene, settings);
@@ -100,10 +99,7 @@ TEST(Motion, AStandingTowerDoesNotMoveAtAll) {
 /// answer of the reference case tip_corner_square.
 double tipping_error(double step, Integrator integrator) {
   Scene scene = on_floor({cube("a", {0.0, 0.7035741925769523333}, 0.6853981633974483096157)});
-  MotionSettings settings;
-  settings.integrator = integrator;
-  settings.step = step;
-  Simulation simulation(scene, settings);
+  Simulation simulation(scene, {.integrator = integrator, .step = step});
   simulation.advance_to(0.292543);
   EXPECT_LE(simulation.audit().max_penetration, 1e-9);
   return std::abs(simulation.states()[0].angle - 0.4731182850977074098196);
@@ -137,8 +133,7 @@ TEST(Motion, ImpactsOnlyLoseEnergyAndLeaveNoOverlap) {
 }
 
 TEST(Motion, APulseIsFeltBetweenStepsAndStopsTheMotion) {
-  MotionSettings settings;
-  settings.integrator = Integrator::moreau;
+  const MotionSettings settings{.integrator = Integrator::moreau};
   Simulation simulation(on_floor({moving_cube({0.0, 2.0}, 0.4, {0.3, 0.0}, 1.0)}), settings);
   struct Stop {};
   int beats = 0;

@@ -29,9 +29,7 @@ TEST_P(PointPendulum, FollowsEllipticFunctions) {
   Scene scene;
   scene.points.push_back({"p", 2.0, {l * std::sin(a), -l * std::cos(a)}, Vec2::Zero(), {}});
   scene.rods.push_back({"rod", {"p", Vec2::Zero()}, {"", Vec2::Zero()}, l});
-  MotionSettings settings;
-  settings.tolerance = 1e-11;
-  Simulation simulation(scene, settings);
+  Simulation simulation(scene, {.tolerance = 1e-11});
   const double quarter = quarter_period(l, a);
   simulation.advance_to(12.0 * quarter);
   const BodyState& back = simulation.states()[0];
@@ -66,9 +64,7 @@ TEST(PhysicalPendulum, ACubeOnAPinAtItsCornerSwingsLikeAPoint) {
   cube.angle = a - 0.75 * pi;  // its corner sw at the origin
   scene.cubes.push_back(cube);
   scene.pins.push_back({"pin", {"a", {-0.5, -0.5}}, {"", Vec2::Zero()}, false});
-  MotionSettings settings;
-  settings.tolerance = 1e-11;
-  Simulation simulation(scene, settings);
+  Simulation simulation(scene, {.tolerance = 1e-11});
   const double quarter = quarter_period(l, a);
   simulation.advance_to(quarter);
   EXPECT_NEAR((simulation.states()[0].position - Vec2(0.0, -d)).norm(), 0.0, 1e-9);
@@ -90,9 +86,7 @@ TEST(ParallelRods, ACubeSwingsOnThemLikeAPoint) {
   scene.cubes.push_back(cube);
   scene.rods.push_back({"left", {"a", {-0.5, 0.5}}, {"", {-0.5, 0.0}}, l});
   scene.rods.push_back({"right", {"a", {0.5, 0.5}}, {"", {0.5, 0.0}}, l});
-  MotionSettings settings;
-  settings.tolerance = 1e-11;
-  Simulation simulation(scene, settings);
+  Simulation simulation(scene, {.tolerance = 1e-11});
   const double quarter = quarter_period(l, a);
   simulation.advance_to(5.0 * quarter);
   const BodyState& lowest = simulation.states()[0];

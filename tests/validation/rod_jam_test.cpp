@@ -14,9 +14,7 @@ namespace wuerfel::test {
 namespace {
 
 Simulation simulation_of(const std::string& text, Integrator integrator) {
-  MotionSettings settings;
-  settings.integrator = integrator;
-  return {parse_scene(text, "s.toml"), settings};
+  return {parse_scene(text, "s.toml"), {.integrator = integrator}};
 }
 
 /// A point between two rods in one line, which nothing pulls at.

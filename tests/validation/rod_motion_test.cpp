@@ -139,9 +139,7 @@ std::string chain_text(int count) {
 }
 
 TEST(Chain, OfTwentyLinksKeepsItsEnergy) {
-  MotionSettings settings;
-  settings.integrator = Integrator::event;
-  Simulation simulation = simulation_of(chain_text(20), settings);
+  Simulation simulation = simulation_of(chain_text(20), {.integrator = Integrator::event});
   simulation.advance_to(20.0);
   const Audit audit = simulation.audit();
   // Its energy: what it can fall.
@@ -152,8 +150,7 @@ TEST(Chain, OfTwentyLinksKeepsItsEnergy) {
 class EveryIntegrator : public testing::TestWithParam<Integrator> {};
 
 TEST_P(EveryIntegrator, KeepsLengthsAndPins) {
-  MotionSettings settings;
-  settings.integrator = GetParam();
+  const MotionSettings settings{.integrator = GetParam()};
   Simulation simulation = simulation_of(
       "cube = [{name = \"a\", size = [1, 0.2], position = [0.5, 0]}, {name = \"b\", size = [1, "
       "0.2], position = [1.5, 0]}]\n"
@@ -180,11 +177,9 @@ INSTANTIATE_TEST_SUITE_P(All,
 TEST(Rattle, IsOfSecondOrderWithRods) {
   // Against the reference of the double pendulum, whose error falls by four with half of the step.
   const auto error = [](double step) {
-    MotionSettings settings;
-    settings.integrator = Integrator::rattle;
-    settings.step = step;
-    settings.tolerance = 1e-2;  // the step decides
-    Simulation simulation(double_pendulum(), settings);
+    constexpr double loose = 1e-2;  // the step decides
+    Simulation simulation(double_pendulum(),
+                          {.integrator = Integrator::rattle, .tolerance = loose, .step = step});
     simulation.advance_to(2.0);
     return (simulation.states()[1].position
             - Vec2(-0.84182969878893535483, -0.80069732992846889898))
@@ -197,8 +192,7 @@ TEST(Rattle, IsOfSecondOrderWithRods) {
 }
 
 TEST(Rattle, EnergyOfRodsStaysWithinItsBudget) {
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
+  const MotionSettings settings{.integrator = Integrator::rattle};
   const std::string pendulum =
       "point = [{name = \"upper\", position = [1, 0]}, {name = \"lower\", position = [2, 0]}]\n"
       "rod = [{from = [0, 0], to = \"upper\"}, {from = \"upper\", to = \"lower\"}]\n";
@@ -219,8 +213,7 @@ TEST(Rattle, EnergyOfRodsStaysWithinItsBudget) {
 class SlidingPair : public testing::TestWithParam<Integrator> {};
 
 TEST_P(SlidingPair, OnUnequalFloorsIsSlowedTogether) {
-  MotionSettings settings;
-  settings.integrator = GetParam();
+  const MotionSettings settings{.integrator = GetParam()};
   Simulation simulation = simulation_of(
       "plane = [{name = \"floor\"}]\n"
       "cube = [{name = \"a\", mass = 2, position = [0, 0.5], velocity = [4, 0]},"

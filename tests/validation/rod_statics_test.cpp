@@ -17,11 +17,7 @@ Check check_text(const std::string& text, const MotionSettings& settings = {}) {
   return check(parse_scene(text, "s.toml"), settings);
 }
 
-MotionSettings in(Formulation formulation) {
-  MotionSettings settings;
-  settings.formulation = formulation;
-  return settings;
-}
+MotionSettings in(Formulation formulation) { return {.formulation = formulation}; }
 
 std::string point_name(std::size_t k) { return "p" + std::to_string(k); }
 

@@ -37,9 +37,8 @@ double force_at(const Check& check, const nlohmann::json& expected) {
 
 TEST_P(Statics, AgreesWithTheExactAnswer) {
   const ReferenceCase reference = read_reference_case(std::get<0>(GetParam()));
-  MotionSettings settings;
-  settings.formulation = std::get<1>(GetParam()).formulation;
-  settings.solver = std::get<1>(GetParam()).solver;
+  const MotionSettings settings{.formulation = std::get<1>(GetParam()).formulation,
+                                .solver = std::get<1>(GetParam()).solver};
   const Check answer = check(reference.scene, settings);
   const double g = reference.scene.gravity.norm();
   // Rods of the light cubes carry the heavy ones: rounding of those forces alone accelerates a

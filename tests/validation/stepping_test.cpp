@@ -16,11 +16,7 @@ namespace wuerfel::test {
 namespace {
 
 MotionSettings stepping(double step, double tolerance = 1e-8) {
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
-  settings.step = step;
-  settings.tolerance = tolerance;
-  return settings;
+  return {.integrator = Integrator::rattle, .tolerance = tolerance, .step = step};
 }
 
 double energy_of(const Simulation& simulation) { return simulation.snapshot({}).energy; }
@@ -227,11 +223,9 @@ position = [0, 2.5]
 )",
                                   "slide.toml");
   Simulation simulation(scene, stepping(1.0 / 60.0));
-  SnapshotRequest request;
-  request.forces = true;
   for (int k = 1; k <= 20; ++k) {
     simulation.advance_to(0.0313 * k);
-    const Snapshot snapshot = simulation.snapshot(request);
+    const Snapshot snapshot = simulation.snapshot({.forces = true});
     double lift = 0.0;
     for (const SnapshotForce& arrow : snapshot.forces) {
       if (arrow.point.y() < 0.1) lift += arrow.force.y();

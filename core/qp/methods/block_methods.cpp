@@ -156,9 +156,7 @@ void BlockMethods::start_settling(const std::vector<double>& multiplier, Settlin
 /// Rows whose slack is small rather than their force.
 void BlockMethods::weight_tight_rows(const std::vector<double>& multiplier, Settling& point) const {
   const ResidualScales& scales = meter_.scales();
-  double force = scales.weight;
-  for (int i = 0; i < problem_.rows(); ++i)
-    force = std::max(force, std::abs(multiplier[i]) * scales.row_norm[i]);
+  const double force = scales.largest_force(multiplier);
   for (int i = 0; i < problem_.rows(); ++i) {
     const double rest = point.rest[i];
     const double distance = rest < 0.0 ? multiplier[i] - problem_.force_min()[i]

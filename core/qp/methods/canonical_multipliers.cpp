@@ -43,9 +43,7 @@ std::vector<int> find_tight_rows(const QuadraticProgram& program,
   const ResidualScales& scales = meter.measure_scales(program);
   const double residual = meter.measure(program, x, multiplier).worst();
   const double tight_slack = std::clamp(slack_times * residual, least_slack, most_slack);
-  double force = scales.weight;
-  for (int row = 0; row < program.rows(); ++row)
-    force = std::max(force, std::abs(multiplier[row]) * scales.row_norm[row]);
+  const double force = scales.largest_force(multiplier);
   std::vector<int> tight;
   for (int row = 0; row < program.rows(); ++row) {
     const double slack = program.slack(row, x);

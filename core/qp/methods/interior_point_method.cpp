@@ -41,16 +41,6 @@ double inside(const Range& range, double lambda, double margin) {
   return std::min(std::max(lambda, range.low + margin), range.high - margin);
 }
 
-/// Largest distance of a row that pushes from y = 0.
-double size_of(const LeastDistance& problem) {
-  double size = 0.0;
-  for (std::size_t i = 0; i < problem.h().size(); ++i) {
-    if (problem.square()[i] > 0.0 && (problem.h()[i] > 0.0 || problem.force_min()[i] < 0.0))
-      size = std::max(size, std::abs(problem.h()[i]) / std::sqrt(problem.square()[i]));
-  }
-  return size;
-}
-
 }  // namespace
 
 MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
@@ -67,7 +57,7 @@ MethodOutcome InteriorPointMethod::run(LeastDistance& problem,
     const double unbalance = round_off(problem, scales);
     const double worst = std::max(worst_row(problem, scales, at_.rest, near_.lambda), unbalance);
     const double mu = complementarity(problem, 0.0);
-    const double force = largest_force(scales);
+    const double force = scales.largest_force(at_.lambda);
     // Rows at the centre have gaps and forces of this size.
     const double centre = force > 0.0 ? std::sqrt(mu / (force * scales.acceleration)) : 0.0;
     const bool gains = keeps_gaining(worst, centre, outcome);
@@ -172,13 +162,6 @@ double InteriorPointMethod::complementarity(const LeastDistance& problem, double
   return std::max(sum / count_, step > 0.0 ? 0.0 : 1e-300);
 }
 
-double InteriorPointMethod::largest_force(const ResidualScales& scales) const {
-  double force = scales.weight;
-  for (std::size_t i = 0; i < at_.lambda.size(); ++i)
-    force = std::max(force, std::abs(at_.lambda[i]) * scales.row_norm[i]);
-  return force;
-}
-
 /// G' lambda - y and its largest force. Nothing but rounding: it grows as K gets so ill-conditioned
 /// that the directions in which bodies are free drown in it.
 double InteriorPointMethod::find_unbalance(const LeastDistance& problem) {
@@ -273,7 +256,7 @@ void InteriorPointMethod::move(double step) {
 /// Puts multipliers that are smaller than their distances at their bounds. Returns how far y is from
 /// their G' lambda, relative to the largest force.
 double InteriorPointMethod::round_off(const LeastDistance& problem, const ResidualScales& scales) {
-  const double force = largest_force(scales);
+  const double force = scales.largest_force(at_.lambda);
   for (int i = 0; i < problem.rows(); ++i) {
     const double unit = scales.row_norm[i] * scales.row_norm[i] * scales.acceleration;
     double lambda = at_.lambda[i];

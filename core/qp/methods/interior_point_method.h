@@ -73,7 +73,6 @@ class InteriorPointMethod {
   void start(const LeastDistance& problem, bool warm);
   void find_rest(const LeastDistance& problem);
   [[nodiscard]] double complementarity(const LeastDistance& problem, double step) const;
-  [[nodiscard]] double largest_force(const ResidualScales& scales) const;
   double round_off(const LeastDistance& problem, const ResidualScales& scales);
   bool keeps_gaining(double worst, double centre, MethodOutcome& outcome);
   [[nodiscard]] double choose_proximal(

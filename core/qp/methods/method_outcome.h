@@ -23,6 +23,9 @@ struct MethodOutcome {
   int factorisations = 0;
 };
 
+/// The largest distance from y = 0 of a row that pushes from there.
+double size_of(const LeastDistance& problem);
+
 /// The worst row of a point y = G' lambda with rest = h - G y, as QpResidual measures it;
 /// stationarity is exact there.
 double worst_row(const LeastDistance& problem,

@@ -188,11 +188,8 @@ bool sticks(std::span<const Touch> closed, const Touch& touch) {
 }  // namespace
 
 std::vector<Island> islands_at(const State& state, double touching, Workspace& work) {
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(*work.system, state, contacts, touching);
-  find_islands(*work.system, contacts, work.finder.touches(), islands);
-  return islands;
+  const std::vector<Contact> contacts = work.finder.find(*work.system, state, touching);
+  return find_islands(*work.system, contacts, work.finder.touches());
 }
 
 std::vector<SideUse> resting_uses(const System& system, const State& state, const Island& island) {
@@ -260,8 +257,7 @@ bool rests(const Island& island,
     stop(s);
   }
   if (rubs(*work.system, island)) return work.friction.rests(still, island);
-  const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-  const IslandSolution solution = accelerations(island, still, use, work);
+  const IslandSolution solution = accelerations(island, still, {}, work);
   return accelerations_vanish(*work.system, island, solution, scales.gravity);
 }
 
@@ -282,18 +278,14 @@ bool would_open(const State& state, std::span<const Touch> closed, double most, 
   for (const Touch& touch : closed)
     pairs.push_back(touch.pair());
   std::ranges::sort(pairs);
-  std::vector<Contact> contacts;
-  work.finder.find(*work.system, state, contacts, ContactLimits{}.touching);
+  std::vector<Contact> contacts = work.finder.find(*work.system, state, ContactLimits{}.touching);
   std::erase_if(contacts, [&](const Contact& c) {
     return contact_motion(*work.system, state, c) != ContactMotion::resting
            || !std::ranges::binary_search(pairs, IndexPair(std::minmax(c.on, c.from)));
   });
-  std::vector<Island> islands;
-  find_islands(*work.system, contacts, islands);
-  return std::ranges::any_of(islands, [&](const Island& island) {
+  return std::ranges::any_of(find_islands(*work.system, contacts), [&](const Island& island) {
     if (island.contacts.empty()) return false;
-    const std::vector<SideUse> use(island.contacts.size(), SideUse::inequality);
-    return std::ranges::max(accelerations(island, state, use, work).slacks) > most;
+    return std::ranges::max(accelerations(island, state, {}, work).slacks) > most;
   });
 }
 

@@ -20,8 +20,7 @@ std::vector<Contact> new_overlaps(const State& state,
                                   double touching,
                                   Workspace& work) {
   const std::vector<ContactId> ids = sorted_ids(known);
-  std::vector<Contact> found;
-  work.finder.find(*work.system, state, found, touching);
+  std::vector<Contact> found = work.finder.find(*work.system, state, touching);
   std::erase_if(found, [&](const Contact& c) {
     return !overlaps(*work.system, c, rounding_share) || std::ranges::binary_search(ids, c.id());
   });
@@ -64,7 +63,7 @@ OutOfOverlap out_of_overlap(const State& state,
       if (more.empty()) return restricted;
       pushed = true;
       contacts.insert(contacts.end(), more.begin(), more.end());
-      find_islands(*work.system, contacts, parts);
+      parts = find_islands(*work.system, contacts);
       for (Island& part : parts)
         follow(*work.system, so_far.state, part.contacts);
     }

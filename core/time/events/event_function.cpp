@@ -72,19 +72,9 @@ Jet corner_at_side(
 }
 
 PairSide separating_side(const MovingPair& pair) {
-  PairSide best;
-  double largest = side_separation(pair.from.box, 0, pair.on.box);
-  for (const bool of_on : {false, true}) {
-    const Box& from = of_on ? pair.on.box : pair.from.box;
-    const Box& on = of_on ? pair.from.box : pair.on.box;
-    for (int side = 0; side < Box::corners; ++side) {
-      const double here = side_separation(from, side, on);
-      if (here <= largest) continue;
-      largest = here;
-      best = {of_on, side};
-    }
-  }
-  return best;
+  const SideSeparations all = side_separations(pair.from.box, pair.on.box);
+  const auto best = static_cast<int>(std::ranges::max_element(all) - all.begin());
+  return {best >= Box::corners, best % Box::corners};
 }
 
 Jet gap_of_corner(const MovingPair& pair, const PairSide& s, int k) {

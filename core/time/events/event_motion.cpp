@@ -93,8 +93,7 @@ bool EventMotion::at_rest() const {
 }
 
 double EventMotion::overlap() {
-  std::vector<Contact> overlapping;
-  work_.finder.find(*system_, state(), overlapping, 0.0);
+  work_.finder.find(*system_, state(), 0.0);
   return work_.finder.deepest().depth / work_.finder.deepest().scale;
 }
 
@@ -178,7 +177,7 @@ void EventMotion::begin_phase(const State& state, Instant now, Bookkeeping& book
   close(now.state);
   // The phase begins on its closed contacts; of wedged cubes that takes more than rounding.
   if (phase_.equations().on_fixed())
-    now.settled += unexplained(*system_, now.state, phase_.state(), 0.0, {});
+    now.settled += unexplained(*system_, now.state, phase_.state());
   // What is put on its contacts is pushed into others that were not there yet, if it has to go far.
   const double way = farthest_way(*system_, state, phase_.state());
   if (way > touching_tolerance * phase_.scales().length && overlap() > 0.0)

@@ -28,6 +28,24 @@ void separate(double touching, std::vector<Island>& islands, Instant& now, Works
   }
 }
 
+/// Adds what impulses (N s) of an island do to bodies that only stand (Body::stands), about their centres.
+void add_pushes_to_standing(const System& system,
+                            const Island& island,
+                            const IslandSolution& solution,
+                            std::map<int, Push>& pushes) {
+  const auto add = [&](int body, const Vec2& place, const Vec2& p) {
+    const Body& pushed = system.body(body);
+    if (pushed.stands) pushes[body] += {p, det(place - pushed.box.center, p)};
+  };
+  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
+    const Contact& c = island.contacts[k];
+    if (solution.forces[k] == 0.0) continue;
+    const Vec2 p = impulse_at(c, solution, k);
+    add(c.on, c.point, p);
+    add(c.from, c.point, -p);
+  }
+}
+
 /// Takes an impact over: its events, and what it does to fixed bodies and to those that only stand.
 void add_impacts(const System& system,
                  const Island& island,
@@ -103,7 +121,7 @@ void add_rest(const System& system, const Island& island, int cube, double t, In
 
 /// What velocities have changed by beyond impulses: fixed bodies give it, where they are touched.
 void note_settled(const System& system, const Island& island, const State& before, Instant& now) {
-  if (is_fixed(system, island)) now.settled += unexplained(system, before, now.state, 0.0, {});
+  if (is_fixed(system, island)) now.settled += unexplained(system, before, now.state);
 }
 
 /// Makes an island rest. That it does is an event where none of its cubes did before.
@@ -247,23 +265,6 @@ void add_impact_events(const System& system,
     if (impulses.forces[k] <= least) continue;
     events.push_back(
         {t, kind, system.body(c.on).name, system.body(c.from).name, c.point, impulses.forces[k]});
-  }
-}
-
-void add_pushes_to_standing(const System& system,
-                            const Island& island,
-                            const IslandSolution& solution,
-                            std::map<int, Push>& pushes) {
-  const auto add = [&](int body, const Vec2& place, const Vec2& p) {
-    const Body& pushed = system.body(body);
-    if (pushed.stands) pushes[body] += {p, det(place - pushed.box.center, p)};
-  };
-  for (std::size_t k = 0; k < island.contacts.size(); ++k) {
-    const Contact& c = island.contacts[k];
-    if (solution.forces[k] == 0.0) continue;
-    const Vec2 p = impulse_at(c, solution, k);
-    add(c.on, c.point, p);
-    add(c.from, c.point, -p);
   }
 }
 

@@ -46,12 +46,6 @@ void add_impact_events(const System& system,
                        EventKind kind,
                        std::vector<Event>& events);
 
-/// Adds what forces (N), or impulses (N s), of an island do to bodies that only stand (Body::stands), about their centres.
-void add_pushes_to_standing(const System& system,
-                            const Island& island,
-                            const IslandSolution& solution,
-                            std::map<int, Push>& pushes);
-
 /// Books the events of an instant, and what was left out.
 void note_events(const Instant& now, Bookkeeping& book);
 /// Books what of the energy and the momenta of `before` an instant at time t has changed until `after`, where the motion goes on.

@@ -60,7 +60,7 @@ void jam_island(GridPoint& point,
   keep_book(jam.hit.after, book);
   const State before = point.state;
   set_velocities(island, jam.hit.after.twists, point.state);
-  point.push += unexplained(system, before, point.state, 0.0, {});
+  point.push += unexplained(system, before, point.state);
   book.audit.impact_loss += jam.hit.loss;
   if (!struck || jam.rods == jammed) note_contradiction(system, jam.rods, point.t, book);
   add_jam_events(system, before, point.state, jam.rods, point.t, book.events);
@@ -83,8 +83,7 @@ void find_restrictions(GridPoint& point, Workspace& work, Bookkeeping& book) {
   const GridPoint before = std::move(point);
   point = {before.t, before.state, {}, {}, {}, before.push, before.resting, {}};
   point.resting.resize(work.system->cubes, 0);
-  std::vector<Contact> contacts;
-  work.finder.find(*work.system, point.state, contacts);
+  const std::vector<Contact> contacts = work.finder.find(*work.system, point.state);
   note_overlap(work.finder.deepest().depth, work.finder.deepest().scale, book.audit);
   point.islands = group_cubes(*work.system, contacts, work.skips);
   point.solutions.resize(point.islands.size());

@@ -23,9 +23,7 @@ std::vector<Restricted> restricted(const State& state,
                                    double depth,
                                    Workspace& work) {
   const System& system = *work.system;
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(system, state, contacts);
+  std::vector<Contact> contacts = work.finder.find(system, state);
   // A side that was pressed stays closed, unless the corner has left its end: by more than what is pushed out moves along it,
   // else a corner on the seam of two decks ends open over both.
   std::erase_if(closed, [&](Contact& c) {
@@ -35,9 +33,8 @@ std::vector<Restricted> restricted(const State& state,
   for (const Contact& c : closed) {
     if (!contains(contacts, c)) contacts.push_back(c);
   }
-  find_islands(system, contacts, islands);
   std::vector<Restricted> parts;
-  for (Island& island : islands) {
+  for (Island& island : find_islands(system, contacts)) {
     std::vector<SideUse> use;
     for (const Contact& c : island.contacts)
       use.push_back(contains(closed, c) ? SideUse::equality : SideUse::inequality);
@@ -81,10 +78,8 @@ Push correct_lengths(State& state,
   const State before = state;
   Projection placed = onto_lengths(std::move(state), pressed, work);
   keep_book(placed.solves, book);
-  std::vector<Island> islands;
-  find_islands(system, pressed, islands);
   std::vector<Restricted> parts;
-  for (Island& island : islands) {
+  for (Island& island : find_islands(system, pressed)) {
     std::vector<SideUse> use(island.contacts.size(), SideUse::equality);
     parts.push_back({std::move(island), std::move(use)});
   }
@@ -93,7 +88,7 @@ Push correct_lengths(State& state,
   keep_book(slowed.solves, book);
   state = std::move(slowed.state);
   const bool fixed = touches_fixed(system, pressed) || std::ranges::any_of(system.rods, is_held);
-  Push settled = fixed ? unexplained(system, before, state, 0.0, {}) : Push{};
+  Push settled = fixed ? unexplained(system, before, state) : Push{};
   book.settled += settled;
   return settled;
 }

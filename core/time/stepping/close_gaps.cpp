@@ -28,8 +28,7 @@ bool fits(const System& system,
           const State& state,
           const std::vector<Contact>& contacts,
           ContactFinder& finder) {
-  std::vector<Contact> overlapping;
-  finder.find(system, state, overlapping, 0.0);
+  finder.find(system, state, 0.0);
   if (finder.deepest().depth > closed_gap * finder.deepest().scale) return false;
   return std::ranges::all_of(contacts, [&](const Contact& c) {
     return std::abs(gap_at_poses(system, finder.boxes(), c))

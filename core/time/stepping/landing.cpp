@@ -46,9 +46,7 @@ void Landing::strike_anew(State& state) {
     return system_->surface(start.on, start.from).restitution > 0.0
            && closing_speed(*system_, *stride_, start) > impact_steps;
   };
-  std::vector<Island> islands;
-  find_islands(*system_, acting(*stride_), islands);
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(*system_, acting(*stride_))) {
     const bool joined = !island.rods.empty();
     std::vector<Contact> anew = island.contacts;
     std::erase_if(anew, [&](const Contact& c) { return is_far(c) || (joined && !bounces(c)); });
@@ -120,7 +118,7 @@ bool Landing::rests(const Island& island, State& state) {
 
 /// The impact law over all that touches, one island after the other.
 void Landing::hit(State& state, Bookkeeping& book) {
-  find_islands(*system_, contacts_, islands_);
+  islands_ = find_islands(*system_, contacts_);
   const double fall = stride_->scales.gravity * stride_->h;
   const auto is_anew = [&](const Contact& c) { return stride_->blows.at(c.id()).taken_back; };
   for (const Island& island : islands_) {

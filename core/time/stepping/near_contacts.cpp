@@ -27,20 +27,18 @@ void NearContacts::begin(const State& state, double h, double gravity) {
     spin_[i] = std::abs(state[i].spin);
 }
 
-void NearContacts::find_towards(const State& end, double reach, std::vector<Contact>& contacts) {
+std::vector<Contact> NearContacts::find_towards(const State& end, double reach) {
   pose_boxes(*system_, end, end_);
-  find(reach, start_, contacts);
+  return find(reach, start_);
 }
 
-void NearContacts::find_at(std::span<const Box> end, double reach, std::vector<Contact>& contacts) {
+std::vector<Contact> NearContacts::find_at(std::span<const Box> end, double reach) {
   end_.assign(end.begin(), end.end());
-  find(reach, end_, contacts);
+  return find(reach, end_);
 }
 
-void NearContacts::find(double reach,
-                        const std::vector<Box>& measured,
-                        std::vector<Contact>& contacts) {
-  contacts.clear();
+std::vector<Contact> NearContacts::find(double reach, const std::vector<Box>& measured) {
+  std::vector<Contact> contacts;
   const auto bounds_of = [&](int i) {
     return swept_bounds(start_[i], end_[i], reach * system_->body(i).smaller_side());
   };
@@ -57,6 +55,7 @@ void NearContacts::find(double reach,
   }
   std::erase_if(contacts, [&](const Contact& c) { return is_covered(*system_, c); });
   add_planes(reach, measured, contacts);
+  return contacts;
 }
 
 void NearContacts::add_planes(double reach,

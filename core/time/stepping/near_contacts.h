@@ -19,15 +19,15 @@ class NearContacts {
   /// Contacts of all pairs that come nearer to each other than `reach` (a share of the smaller
   /// side) on the way from the beginning to `end`: each pair by the side that keeps it apart
   /// longest. Their gaps and arms are those of the beginning.
-  void find_towards(const State& end, double reach, std::vector<Contact>& contacts);
+  std::vector<Contact> find_towards(const State& end, double reach);
   /// The same pairs and sides with corners, gaps and arms as they are at `end`, of every box.
-  void find_at(std::span<const Box> end, double reach, std::vector<Contact>& contacts);
+  std::vector<Contact> find_at(std::span<const Box> end, double reach);
   /// Boxes at the beginning, and where the last search looked.
   [[nodiscard]] const std::vector<Box>& start_boxes() const { return start_; }
   [[nodiscard]] const std::vector<Box>& end_boxes() const { return end_; }
 
  private:
-  void find(double reach, const std::vector<Box>& measured, std::vector<Contact>& contacts);
+  std::vector<Contact> find(double reach, const std::vector<Box>& measured);
   void add_planes(double reach,
                   const std::vector<Box>& measured,
                   std::vector<Contact>& contacts) const;

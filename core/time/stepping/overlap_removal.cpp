@@ -77,17 +77,16 @@ Restricted OverlapRemoval::apart(Island island) const {
 
 double OverlapRemoval::measure(const State& state, double tolerance) {
   const ContactFinder::Overlap& deepest = work_->finder.deepest();
-  work_->finder.find(*system_, state, found_, tolerance);
+  found_ = work_->finder.find(*system_, state, tolerance);
   return deepest.depth / deepest.scale;
 }
 
 /// Islands near to what overlaps, by the last measurement.
 std::vector<Restricted> OverlapRemoval::pushed_apart(const State& state) {
-  near_.find_at(work_->finder.boxes(), std::clamp(pushed_times * left_, nearest_share, near_share),
-                contacts_);
-  find_islands(*system_, contacts_, islands_);
+  const double reach = std::clamp(pushed_times * left_, nearest_share, near_share);
+  const std::vector<Contact> near = near_.find_at(work_->finder.boxes(), reach);
   std::vector<Restricted> parts;
-  for (Island& island : islands_) {
+  for (Island& island : find_islands(*system_, near)) {
     if (!overlaps(*system_, island, overlap_share) && keeps_lengths(state, island.rods)) continue;
     parts.push_back(apart(std::move(island)));
     double missed = left_ * scales_.length;
@@ -136,12 +135,11 @@ std::vector<char> OverlapRemoval::overlapping_cubes() const {
 void OverlapRemoval::retreat(State& state) {
   for (int k = 1; k <= most_halvings && measure(state, 0.0) > overlap_share; ++k) {
     const std::vector<char> overlaps = overlapping_cubes();
-    near_.find_at(work_->finder.boxes(), near_share, contacts_);
+    std::vector<Contact> near = near_.find_at(work_->finder.boxes(), near_share);
     // Who came farther than its speed foretold meets pairs that nobody expected.
-    contacts_.insert(contacts_.end(), found_.begin(), found_.end());
-    find_islands(*system_, contacts_, islands_);
+    near.insert(near.end(), found_.begin(), found_.end());
     const double share = k < most_halvings ? 0.5 : 0.0;
-    for (const Island& island : islands_) {
+    for (const Island& island : find_islands(*system_, near)) {
       const bool stops =
           std::ranges::any_of(island.cubes, [&](int cube) { return overlaps[cube] != 0; });
       if (!stops) continue;

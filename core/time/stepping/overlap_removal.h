@@ -67,8 +67,6 @@ class OverlapRemoval {
   double left_ = 0.0;  ///< of the smaller side
   State start_;
   std::vector<Contact> found_;  ///< at the last measurement
-  std::vector<Contact> contacts_;
-  std::vector<Island> islands_;
 };
 
 }  // namespace wuerfel

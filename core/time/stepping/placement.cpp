@@ -48,11 +48,10 @@ State Placement::find(Stride& stride, Bookkeeping& book) {
     state[i].position += stride_->h * half[i].velocity;
     state[i].angle += stride_->h * half[i].spin;
   }
-  removal_->near().find_towards(state, near_share, contacts_);
-  find_islands(*system_, contacts_, islands_);
+  const std::vector<Contact> near = removal_->near().find_towards(state, near_share);
   way_.boxes = removal_->near().start_boxes();
   way_.moved = stride_->start;
-  for (const Island& island : islands_)
+  for (const Island& island : find_islands(*system_, near))
     place_island(island, state, book);
   return state;
 }

@@ -41,8 +41,6 @@ class Placement {
   OverlapRemoval* removal_;
   const RestingIslands* resting_;
   Stride* stride_ = nullptr;
-  std::vector<Contact> contacts_;
-  std::vector<Island> islands_;
   /// Where cubes have come in the first placement, and a state whose velocities are their displacements: what rows
   /// times a displacement are read from.
   struct Way {

@@ -128,7 +128,7 @@ void RattleStepper::arrive(Step& step, double t) {
     flown[i].position = flown_[i].position;
     flown[i].angle = flown_[i].angle;
   }
-  const Push cleaned = unexplained(*system_, flown, step.state, 0.0, {});
+  const Push cleaned = unexplained(*system_, flown, step.state);
   stride_.before = step.state;
   landing_.strike(step.state, step.book);
   step.error = error_of(step.state);
@@ -144,7 +144,7 @@ void RattleStepper::arrive(Step& step, double t) {
   // What it was astray by before the step is paid back as well.
   if (sway_ > 0.0 && !sways)
     pay(*system_, record.components, energy(*system_, stride_.start) - true_energy_, step.state);
-  note_settled(unexplained(*system_, unsettled, step.state, 0.0, {}), record, step.book);
+  note_settled(unexplained(*system_, unsettled, step.state), record, step.book);
   Loss impacts{t + stride_.h, 0.0, false, t};
   Loss friction{t + stride_.h, 0.0, true, t};
   for (const StepComponent& part : record.components) {
@@ -183,9 +183,7 @@ Push RattleStepper::pushed() const {
 /// happens step after step forces drive what the rods hold.
 void RattleStepper::jam(Step& step, StepRecord& record, double t) {
   if (stride_.jammed.empty()) return;
-  std::vector<Island> islands;
-  find_islands(*system_, landing_.touching(), islands);
-  for (const Island& island : islands) {
+  for (const Island& island : find_islands(*system_, landing_.touching())) {
     if (std::ranges::find_first_of(stride_.jammed, island.rods) == stride_.jammed.end()) continue;
     RodJam jam = rod_jam(*system_, step.state, island);
     if (!jam.rods.empty()) {
@@ -223,7 +221,7 @@ void RattleStepper::take_jam(const Island& island,
   keep_book(jam.hit.after, step.book);
   const State before = step.state;
   set_velocities(island, jam.hit.after.twists, step.state);
-  note_settled(unexplained(*system_, before, step.state, 0.0, {}), record, step.book);
+  note_settled(unexplained(*system_, before, step.state), record, step.book);
   const auto mine = std::ranges::find_if(record.components, [&](const StepComponent& part) {
     return std::ranges::binary_search(part.cubes, island.cubes.front());
   });

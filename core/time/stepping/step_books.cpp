@@ -195,6 +195,12 @@ void add_rods(const System& system,
   }
 }
 
+/// The same as first_work in the second half, which leads to `end`.
+Work second_work(const System& system, const Stride& stride, const Blow& blow, const State& end) {
+  return work_of(blow.end, blow.second, relative_velocity(system, stride.before, blow.end),
+                 relative_velocity(system, end, blow.end));
+}
+
 /// What a contact takes from its component: on balance, and as losses by themselves.
 void take_blow(const System& system,
                const Stride& stride,
@@ -235,11 +241,6 @@ Work first_work(const System& system, const Stride& stride, const Blow& blow) {
     fall = (system.is_cube(c.on) ? -0.25 : 0.25) * stride.h * system.gravity;
   return work_of(c, blow.first, relative_velocity(system, stride.start, c) + fall,
                  relative_velocity(system, stride.half, c) + fall);
-}
-
-Work second_work(const System& system, const Stride& stride, const Blow& blow, const State& end) {
-  return work_of(blow.end, blow.second, relative_velocity(system, stride.before, blow.end),
-                 relative_velocity(system, end, blow.end));
 }
 
 double sum_of(const std::vector<StepLoss>& losses) {

@@ -15,10 +15,9 @@ struct Work {
   [[nodiscard]] double sum() const { return normal + side; }
 };
 
-/// What the impulses of a contact do in the first half, and in the second one that leads to `end`, against the mean
-/// velocities that they change, gravity aside. Sums over all contacts are the exact changes of energy in both halves.
+/// What the impulse of a contact does in the first half against the mean velocity that it changes, gravity aside. Sums over all
+/// contacts and both halves are the exact changes of energy.
 Work first_work(const System& system, const Stride& stride, const Blow& blow);
-Work second_work(const System& system, const Stride& stride, const Blow& blow, const State& end);
 
 /// Impulses, who pushed whom, and what that cost: contacts that close lose what their impulses take,
 /// on balance; in a component where something is struck all contacts do, at the last blow. `end` is

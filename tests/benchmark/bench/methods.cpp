@@ -93,11 +93,10 @@ bool suits(const BenchMethod& method, const BenchScene& scene) {
 }
 
 std::vector<MotionSettings> bench_settings(const BenchMethod& method, const BenchScene& scene) {
-  MotionSettings settings;
-  settings.integrator = method.integrator;
-  settings.formulation = method.formulation;
-  settings.solver = method.solver;
-  settings.tolerance = default_tolerance;
+  MotionSettings settings{.integrator = method.integrator,
+                          .formulation = method.formulation,
+                          .solver = method.solver,
+                          .tolerance = default_tolerance};
   std::vector<MotionSettings> list;
   const bool sweep = !scene.rests && !scene.exact.empty();
   // Solvers differ in time, hardly in error: one setting tells that.

@@ -20,7 +20,7 @@ Found find(const Scene& scene) {
   const System system = make_system(scene);
   ContactFinder finder;
   Found found;
-  finder.find(system, initial_state(scene), found.contacts);
+  found.contacts = finder.find(system, initial_state(scene));
   found.overlap = finder.deepest().depth;
   return found;
 }

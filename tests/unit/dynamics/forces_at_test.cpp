@@ -216,9 +216,8 @@ TEST(ForceFinder, ContactsThatCarryLoadAreThereWhetherTheyTouchOrNot) {
   // As between the ends of a step: 1e-6 m above the floor, and on its way.
   Instant at(on_floor({cube("a", {0.0, 0.5 + 1e-6})}));
   at.state[0].velocity = {0.0, 1e-3};
-  std::vector<Contact> loaded;
-  ContactFinder touching;
-  touching.find(at.system, initial_state(on_floor({cube("a", {0.0, 0.5})})), loaded);
+  const std::vector<Contact> loaded =
+      ContactFinder().find(at.system, initial_state(on_floor({cube("a", {0.0, 0.5})})));
   ForceFinder finder(at.system, {});
   EXPECT_TRUE(finder.at(at.state, Detail::forces).islands.empty());
   const InstantForces found = finder.at(at.state, Detail::forces, loaded);

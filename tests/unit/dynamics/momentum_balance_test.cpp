@@ -13,9 +13,7 @@ namespace {
 double unexplained_in(const char* text,
                       double until,
                       Integrator integrator = Integrator::automatic) {
-  MotionSettings settings;
-  settings.integrator = integrator;
-  Simulation simulation(parse_scene(text, "scene"), settings);
+  Simulation simulation(parse_scene(text, "scene"), {.integrator = integrator});
   simulation.advance_to(until);
   const Audit audit = simulation.audit();
   return std::max(audit.momentum_linear, audit.momentum_angular);
@@ -140,7 +138,7 @@ TEST(MomentumBalance, TellsWhatHasNoReason) {
   State after = before;
   after[1].velocity += Vec2(0.0, 2.0);
   after[1].spin += 0.5;
-  const Push change = unexplained(system, before, after, 0.0, {});
+  const Push change = unexplained(system, before, after);
   EXPECT_NEAR(change.linear.y(), 6.0, 1e-14);
   EXPECT_EQ(change.linear.x(), 0.0);
   // The centre is at x = 9 / 4, b at 3.
@@ -153,11 +151,9 @@ TEST(MomentumBalance, AFixedBodyPushesAndACubeDoesNot) {
   const Scene scene = parse_scene(rubbing, "scene");
   const System system = make_system(scene);
   const State state = initial_state(scene);
-  std::vector<Contact> contacts;
-  ContactFinder().find(system, state, contacts);
   Push sum;
   int fixed = 0;
-  for (const Contact& c : contacts) {
+  for (const Contact& c : ContactFinder().find(system, state)) {
     add_push(system, state, common_center(system, state), c, c.normal, sum);
     if (!system.is_cube(c.on) || !system.is_cube(c.from)) ++fixed;
   }

@@ -18,13 +18,8 @@ class Ground {
   std::vector<Restricted> restricted(const State& state,
                                      SideUse use,
                                      const std::vector<double>& margins = {}) {
-    std::vector<Contact> contacts;
-    std::vector<Island> islands;
-    finder.find(m.system, state, contacts, 1e-3);
-    find_islands(m.system, contacts, islands);
     std::vector<Restricted> parts;
-    parts.reserve(islands.size());
-    for (const Island& island : islands)
+    for (const Island& island : find_islands(m.system, finder.find(m.system, state, 1e-3)))
       parts.push_back({island, std::vector(island.contacts.size(), use), margins});
     return parts;
   }
@@ -33,8 +28,7 @@ class Ground {
     return project_places(m.system, m.state, policy, find, dynamics);
   }
   double deepest(const State& state) {
-    std::vector<Contact> contacts;
-    finder.find(m.system, state, contacts);
+    finder.find(m.system, state);
     return finder.deepest().depth;
   }
 

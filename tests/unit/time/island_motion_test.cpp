@@ -72,9 +72,7 @@ TEST(IslandMotion, WhatRestsInStepsDoesNotBounce) {
   Scene scene = on_floor({cube("a", {0.0, 1.0}, 0.1)});
   scene.cubes[0].material = scene.planes[0].material = {.friction = 0.4, .restitution = 0.5};
   const Mechanism m(scene);
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
-  IslandMotion motion(m.system, settings, m.state);
+  IslandMotion motion(m.system, {.integrator = Integrator::rattle}, m.state);
   motion.advance_to(5.0);
   EXPECT_NEAR(motion.state()[0].position.y(), 0.5, 1e-9);
   // Else every step has it bounce, and takes its velocity and that much of the weight away again.

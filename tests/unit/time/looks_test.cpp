@@ -33,8 +33,7 @@ TEST_P(Looks, LeaveMotionAndBooksAsTheyAre) {
   // A crowd for the default, so that groups are stepped; a few cubes for the slow ones.
   const bool few = GetParam() != Integrator::automatic;
   const Scene scene = few ? bin_scene(4, 4.0, 6.0, 2) : bin_scene(12, 4.0, 14.0, 5);
-  MotionSettings settings;
-  settings.integrator = GetParam();
+  MotionSettings settings{.integrator = GetParam()};
   if (few) settings.step = 1.0 / 120.0;
   Simulation alone(scene, settings);
   Simulation watched(scene, settings);

@@ -151,10 +151,7 @@ TEST(PartialMotion, EndsWhereForcesNoLongerHoldWhatStood) {
   EXPECT_EQ(simulation.states()[13].angle, 0.0);
   simulation.advance_to(tips + 0.2);
   EXPECT_LT(simulation.states()[13].angle, -0.01);
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
-  settings.step = 5e-4;
-  Simulation stepped(plank(), settings);
+  Simulation stepped(plank(), {.integrator = Integrator::rattle, .step = 5e-4});
   stepped.advance_to(tips + 0.2);
   expect_same(simulation.states()[13], stepped.states()[13], 1e-3);
 }

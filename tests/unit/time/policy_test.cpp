@@ -7,9 +7,7 @@ namespace wuerfel::test {
 namespace {
 
 TEST(MotionPolicy, SaysWhatAnIntegratorMeans) {
-  MotionSettings settings;
-  settings.step = 0.125;
-  settings.tolerance = 1e-8;
+  MotionSettings settings{.tolerance = 1e-8, .step = 0.125};
   const auto policy = [&](Integrator integrator) {
     settings.integrator = integrator;
     return policy_of(settings);

@@ -49,9 +49,7 @@ class Restart : public testing::TestWithParam<Case> {
  protected:
   Scene scene = parse_scene(crowd, "crowd");
   MotionSettings settings() const {
-    MotionSettings settings;
-    settings.integrator = GetParam().integrator;
-    settings.step = 0.0005;
+    MotionSettings settings{.integrator = GetParam().integrator, .step = 0.0005};
     // Short steps make enough work for a restart in a short run.
     if (settings.integrator == Integrator::automatic) settings.tolerance = 1e-13;
     return settings;

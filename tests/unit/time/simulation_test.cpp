@@ -26,9 +26,7 @@ TEST(Simulation, NamesWhatHasMoved) {
 
 TEST(Simulation, EveryIntegratorMakesAMotion) {
   for (const Integrator integrator : all_integrators) {
-    MotionSettings settings;
-    settings.integrator = integrator;
-    Simulation simulation(one_falls(), settings);
+    Simulation simulation(one_falls(), {.integrator = integrator});
     simulation.advance_to(0.25);
     EXPECT_EQ(simulation.time(), 0.25);
     // Of first order: 9.81 t / 480 below or above the parabola.

@@ -41,9 +41,7 @@ TEST(Track, RestEndsTheClock) {
 
 TEST(Track, StepsAllTheTimeWhereThatIsTheChoice) {
   const Mechanism m(on_floor({cube("a", {0.0, 3.0})}));
-  MotionSettings settings;
-  settings.integrator = Integrator::rattle;
-  settings.step = 0.02;
+  const MotionSettings settings{.integrator = Integrator::rattle, .step = 0.02};
   Track track(m.system, settings, policy_of(settings));
   track.start(m.state, 0.0, 1e-9, {0}, {});
   EXPECT_GT(track.stepping().until, 1e300);

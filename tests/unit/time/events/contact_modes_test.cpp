@@ -29,10 +29,7 @@ struct Modes {
 
 Modes modes_of(const Mechanism& m, bool after_impact = false) {
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(m.system, m.state, contacts, ContactLimits{}.touching);
-  find_islands(m.system, contacts, work.finder.touches(), islands);
+  const std::vector<Island> islands = islands_at(m.state, ContactLimits{}.touching, work);
   EXPECT_EQ(islands.size(), 1U);
   const Scales scales = scales_of(m.system, m.state);
   Modes result;
@@ -165,8 +162,7 @@ TEST(ContactModes, ARedundantWallStandsWithAllItsContacts) {
 TEST(ContactModes, NoGapOfARedundantWallWouldOpen) {
   const Mechanism m(on_floor(bricks(3)));
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  work.finder.find(m.system, m.state, contacts);
+  work.finder.find(m.system, m.state);
   EXPECT_FALSE(would_open(m.state, work.finder.touches(), 1e-9, work));
   EXPECT_GT(work.solves.solved, 0);
 }
@@ -176,8 +172,7 @@ TEST(ContactModes, AGapOfAWallWithAHeavyOverhangWouldOpen) {
   cubes.push_back(sized_cube("over", {-1.2, 2.5}, {3.0, 1.0}));
   const Mechanism m(on_floor(cubes));
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  work.finder.find(m.system, m.state, contacts);
+  work.finder.find(m.system, m.state);
   EXPECT_TRUE(would_open(m.state, work.finder.touches(), 0.1, work));
 }
 

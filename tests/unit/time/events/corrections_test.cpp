@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/time/events/contact_modes.h"
 #include "tests/support/scenes.h"
 
 namespace wuerfel::test {
@@ -14,10 +15,7 @@ TEST(Corrections, AnOverlapIsDividedByMass) {
   scene.cubes[1].mass = 3.0;
   const Mechanism m(scene);
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(m.system, m.state, contacts);
-  find_islands(m.system, contacts, islands);
+  const std::vector<Island> islands = islands_at(m.state, touching_tolerance, work);
   const OutOfOverlap apart = out_of_overlap(m.state, islands, {0, 0}, 1e-9, work);
   EXPECT_FALSE(apart.pushed);
   ASSERT_TRUE(apart.moved);
@@ -34,14 +32,11 @@ TEST(Corrections, WhatIsPushedIntoAnotherBodyTakesItAlong) {
   scene.cubes[0].mass = 1000.0;
   const Mechanism m(scene);
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(m.system, m.state, contacts, 1e-10);
-  find_islands(m.system, contacts, islands);
+  const std::vector<Island> islands = islands_at(m.state, 1e-10, work);
   const OutOfOverlap apart = out_of_overlap(m.state, islands, {0, 0, 0}, 1e-10, work);
   EXPECT_TRUE(apart.pushed);
   ASSERT_TRUE(apart.moved);
-  work.finder.find(m.system, apart.state, contacts, 1e-10);
+  work.finder.find(m.system, apart.state, 1e-10);
   EXPECT_LT(work.finder.deepest().depth, 1e-15);
   EXPECT_GT(apart.state[2].position.x() - m.state[2].position.x(), 3e-9);
 }
@@ -49,10 +44,7 @@ TEST(Corrections, WhatIsPushedIntoAnotherBodyTakesItAlong) {
 TEST(Corrections, NothingIsMovedThatFits) {
   const Mechanism m(on_floor({cube("a", {0.0, 0.5})}));
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(m.system, m.state, contacts);
-  find_islands(m.system, contacts, islands);
+  const std::vector<Island> islands = islands_at(m.state, touching_tolerance, work);
   EXPECT_FALSE(out_of_overlap(m.state, islands, {0}, 1e-9, work).moved);
   State state = m.state;
   onto_closed(islands.at(0), {1, 0}, state, work);
@@ -65,11 +57,8 @@ TEST(Corrections, AClosedContactIsClosedAndTheOtherKeptOpen) {
   Mechanism m(on_floor({cube("a", {0.0, 0.5 + 5e-11})}));
   m.state[0].velocity.y() = 1e-6;
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(m.system, m.state, contacts);
-  find_islands(m.system, contacts, islands);
-  ASSERT_EQ(contacts.size(), 2U);
+  const std::vector<Island> islands = islands_at(m.state, touching_tolerance, work);
+  ASSERT_EQ(islands.at(0).contacts.size(), 2U);
   State state = m.state;
   onto_closed(islands.at(0), {1, 0}, state, work);
   Island island = islands.at(0);

@@ -94,9 +94,7 @@ TEST(ActiveRestrictions, WithoutIslandsAllIsOneProgram) {
   const Mechanism m(
       on_floor({cube("a", {0.0, 0.5}), cube("b", {5.0, 0.5}), cube("c", {9.0, 9.0})}));
   for (const bool islands : {true, false}) {
-    MotionSettings settings;
-    settings.skips.islands = islands;
-    Workspace work(m.system, settings);
+    Workspace work(m.system, {.skips = {.islands = islands}});
     Bookkeeping book;
     GridPoint point = point_at(m);
     find_restrictions(point, work, book);

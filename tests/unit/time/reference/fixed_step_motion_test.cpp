@@ -10,9 +10,7 @@ namespace {
 
 TEST(FixedStepMotion, LooksBetweenGridTimesAreStepsAside) {
   const Mechanism m(on_floor({sized_cube("a", {0.0, 1.2}, Vec2::Ones(), 0.2)}));
-  MotionSettings settings;
-  settings.integrator = Integrator::symplectic;
-  settings.step = 0.01;
+  const MotionSettings settings{.integrator = Integrator::symplectic, .step = 0.01};
   FixedStepMotion seldom(m.system, settings, m.state);
   FixedStepMotion often(m.system, settings, m.state);
   for (int k = 1; k <= 100; ++k) {
@@ -28,10 +26,7 @@ TEST(FixedStepMotion, LooksBetweenGridTimesAreStepsAside) {
 
 TEST(FixedStepMotion, BetweenGridTimesTheFallGoesOn) {
   const Mechanism m(on_floor({cube("a", {0.0, 9.0})}));
-  MotionSettings settings;
-  settings.integrator = Integrator::symplectic;
-  settings.step = 0.125;
-  FixedStepMotion motion(m.system, settings, m.state);
+  FixedStepMotion motion(m.system, {.integrator = Integrator::symplectic, .step = 0.125}, m.state);
   motion.advance_to(0.1875);
   // One whole step and a half one, each with the new velocity.
   const double v_1 = -9.81 * 0.125;
@@ -43,10 +38,7 @@ TEST(FixedStepMotion, BetweenGridTimesTheFallGoesOn) {
 TEST(FixedStepMotion, RestsWhereNothingChangesButTheTime) {
   const Mechanism m(on_floor(tower(3)));
   for (const Integrator integrator : {Integrator::symplectic, Integrator::moreau}) {
-    MotionSettings settings;
-    settings.integrator = integrator;
-    settings.step = 0.01;
-    FixedStepMotion motion(m.system, settings, m.state);
+    FixedStepMotion motion(m.system, {.integrator = integrator, .step = 0.01}, m.state);
     motion.advance_to(1.0);
     EXPECT_EQ(motion.book().cost.steps, 100);
     EXPECT_GE(motion.book().cost.skipped_rest, 98);
@@ -60,10 +52,7 @@ TEST(FixedStepMotion, WhatRunsAwayEndsWithWhatToDo) {
   scene.gravity = {0.0, -1e30};
   scene.cubes = {cube("a", {0.0, 0.0})};
   const Mechanism m(scene);
-  MotionSettings settings;
-  settings.integrator = Integrator::euler;
-  settings.step = 1e8;
-  FixedStepMotion motion(m.system, settings, m.state);
+  FixedStepMotion motion(m.system, {.integrator = Integrator::euler, .step = 1e8}, m.state);
   EXPECT_THROW(motion.advance_to(1e10), SolverError);
 }
 

@@ -9,10 +9,7 @@ namespace wuerfel::test {
 namespace {
 
 std::vector<Contact> contacts_of(const Mechanism& m, double near) {
-  ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(m.system, m.state, contacts, near);
-  return contacts;
+  return ContactFinder().find(m.system, m.state, near);
 }
 
 TEST(LengthCorrection, ClosesWhatWasPressedAndStopsItsGap) {
@@ -46,9 +43,7 @@ TEST(LengthCorrection, WhatIsPushedOutOfAnOverlapEndsClosed) {
   Bookkeeping book;
   State state = m.state;
   correct_lengths(state, {}, work, book);
-  ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(m.system, state, contacts);
+  const std::vector<Contact> contacts = ContactFinder().find(m.system, state);
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_NEAR(contacts[0].gap, 0.0, 1e-11);
 }

@@ -23,9 +23,7 @@ TEST(Moreau, FallsWithTheNewVelocityAndStopsAtTheFloor) {
 
 // A bridge of bodies, points and rods whose velocities are rounding half a second after a cube has fallen on it.
 TEST(Moreau, WhatHasPointsComesToRest) {
-  MotionSettings settings;
-  settings.integrator = Integrator::moreau;
-  Simulation simulation(shipped_scene("truss_bridge"), settings);
+  Simulation simulation(shipped_scene("truss_bridge"), {.integrator = Integrator::moreau});
   simulation.advance_to(4.0);
   EXPECT_GE(simulation.cost().skipped_rest, 900);
   EXPECT_LE(simulation.cost().qp_solves, 200);

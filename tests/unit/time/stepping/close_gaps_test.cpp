@@ -11,8 +11,7 @@ namespace {
 TEST(CloseGaps, ClosesThoseThatCarriedLoad) {
   const Mechanism m(on_floor({cube("a", {0.0, 0.5 + 1e-6}), cube("b", {3.0, 0.5 + 1e-6})}));
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(m.system, m.state, contacts, 1e-5);
+  std::vector<Contact> contacts = finder.find(m.system, m.state, 1e-5);
   std::erase_if(contacts, [](const Contact& c) { return c.on == 1; });
   ClosedContacts closed(m.system);
   State state = m.state;
@@ -30,8 +29,7 @@ TEST(CloseGaps, LeavesWhatCannotBeClosed) {
   scene.cubes = {cube("a", {0.0, 0.0})};
   const Mechanism m(scene);
   ContactFinder finder;
-  std::vector<Contact> contacts;
-  finder.find(m.system, m.state, contacts, 1e-5);
+  const std::vector<Contact> contacts = finder.find(m.system, m.state, 1e-5);
   ASSERT_EQ(contacts.size(), 4U);
   ClosedContacts closed(m.system);
   State state = m.state;

@@ -14,13 +14,12 @@ TEST(NearContacts, PairsAreKeptApartByTheSidesThatFaceEachOther) {
   near.begin(m.state, 0.01, 9.81);
   State end = m.state;
   end[0].position.x() += 0.008;
-  std::vector<Contact> contacts;
-  near.find_towards(end, 1e-2, contacts);
+  std::vector<Contact> contacts = near.find_towards(end, 1e-2);
   ASSERT_EQ(contacts.size(), 2U);
   for (const Contact& c : contacts)
     EXPECT_NEAR(c.gap, 0.005, 1e-15);
   const std::vector<Box> boxes = near.end_boxes();
-  near.find_at(boxes, 1e-2, contacts);
+  contacts = near.find_at(boxes, 1e-2);
   ASSERT_EQ(contacts.size(), 2U);
   for (const Contact& c : contacts)
     EXPECT_NEAR(c.gap, -0.003, 1e-15);
@@ -30,9 +29,7 @@ TEST(NearContacts, WhoIsFarAwayMeetsNobody) {
   const Mechanism m(side_by_side(0.5));
   NearContacts near(m.system);
   near.begin(m.state, 0.01, 9.81);
-  std::vector<Contact> contacts;
-  near.find_towards(m.state, 1e-2, contacts);
-  EXPECT_TRUE(contacts.empty());
+  EXPECT_TRUE(near.find_towards(m.state, 1e-2).empty());
 }
 
 TEST(NearContacts, CornersThatComeNearAPlaneAreThere) {
@@ -40,13 +37,11 @@ TEST(NearContacts, CornersThatComeNearAPlaneAreThere) {
   NearContacts near(m.system);
   near.begin(m.state, 0.01, 9.81);
   State end = m.state;
-  std::vector<Contact> contacts;
-  near.find_towards(end, 1e-2, contacts);
-  EXPECT_TRUE(contacts.empty());
+  EXPECT_TRUE(near.find_towards(end, 1e-2).empty());
   const double lowest =
       m.state[0].position.y() + make_box(Vec2::Zero(), 0.2, Vec2::Ones()).arm[0].y();
   end[0].position.y() -= lowest - 0.005;
-  near.find_towards(end, 1e-2, contacts);
+  const std::vector<Contact> contacts = near.find_towards(end, 1e-2);
   ASSERT_EQ(contacts.size(), 1U) << "the other corner is 0.2 m higher";
   EXPECT_EQ(contacts[0].corner, 0);
   EXPECT_NEAR(contacts[0].gap, lowest, 1e-15) << "as at the beginning";
@@ -58,14 +53,11 @@ TEST(NearContacts, ASecondCornerIsThereOnlyWhereSidesMayBecomeFlush) {
   scene.cubes = {cube("a", {0.0, 0.0}), cube("b", {0.0, 1.01}, 0.01)};
   Mechanism m(scene);
   NearContacts near(m.system);
-  std::vector<Contact> contacts;
   near.begin(m.state, 0.001, 9.81);
-  near.find_towards(m.state, 2e-2, contacts);
-  EXPECT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(near.find_towards(m.state, 2e-2).size(), 1U);
   m.state[1].spin = 6.0;
   near.begin(m.state, 0.001, 9.81);
-  near.find_towards(m.state, 2e-2, contacts);
-  EXPECT_EQ(contacts.size(), 2U);
+  EXPECT_EQ(near.find_towards(m.state, 2e-2).size(), 2U);
 }
 
 }  // namespace

@@ -89,8 +89,7 @@ TEST(RestingIslands, AreNoneWhereSomethingBeginsToTopple) {
 }
 
 TEST(RestingIslands, AreWhereTheyAreIfTheyAreSolvedAllTheSame) {
-  MotionSettings settings;
-  settings.skips.resting_steps = false;
+  const MotionSettings settings{.skips = {.resting_steps = false}};
   Steps steps(two_cubes(0.5), settings);
   steps.take();
   EXPECT_GE(steps.take(0.5 * step_length).book.cost.qp_solves, 4);
@@ -103,10 +102,8 @@ TEST(RestingIslands, AreWhereTheyAreIfTheyAreSolvedAllTheSame) {
 TEST(RestingIslands, AreNotFoundWhereSomebodyPressedWhoHasLeft) {
   const Mechanism m(two_cubes(0.5));
   Workspace work(m.system, {});
-  std::vector<Contact> contacts;
-  std::vector<Island> islands;
-  work.finder.find(m.system, m.state, contacts);
-  find_islands(m.system, contacts, islands);
+  const std::vector<Contact> contacts = work.finder.find(m.system, m.state);
+  const std::vector<Island> islands = find_islands(m.system, contacts);
   ASSERT_EQ(islands.size(), 2U);
   Stride stride{step_length, scales_of(m.system, m.state), m.state, m.state, m.state, {}};
   const Vec2 held(0.0, 0.25 * g * step_length);
