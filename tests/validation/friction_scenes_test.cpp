@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/check.h"
+#include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
 #include "tests/support/stacks.h"
 
@@ -291,6 +292,19 @@ TEST(Jenga, StandsWithThePlankAndFallsWithout) {
   plank.position.y() += 1.6;
   scene.cubes.push_back(plank);
   EXPECT_EQ(check(scene, {}).verdict, Verdict::stands);
+}
+
+// A crowd comes to rest with gaps that nobody sees. They are closed then, and what that takes is lost.
+TEST(Crowd, LosesWhatItTakesToComeToRest) {
+  const Scene bin = parse_scene(
+      R"({"version": 1, "material": {"friction": 0.6}, "plane": [{}],
+          "fixed": [{"size": [1, 18.5], "position": [-6.5, 9.25]}, {"size": [1, 18.5], "position": [6.5, 9.25]}],
+          "pile": [{"count": 30, "size": 1, "seed": 2, "region": [-5.99, 0.01, 5.99, 9.25]}]})",
+      "bin");
+  Simulation simulation(bin, {});
+  simulation.advance_to(4.0);
+  EXPECT_EQ(simulation.events().back().kind, EventKind::rest);
+  EXPECT_LE(std::abs(simulation.audit().drift()), 1e-9);
 }
 
 TEST(NewtonsRow, OnlyTheLastCubeLeaves) {
