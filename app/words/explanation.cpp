@@ -45,12 +45,15 @@ std::string tip_sentence(const StillScene& still,
 std::pair<Phrase, Phrase> loss_phrases(const StillScene& still, const Cause& cause) {
   if (cause.failure == FailureMode::drops) return {Phrase::drops, Phrase::drop};
   if (cause.failure == FailureMode::swings) return {Phrase::swings, Phrase::swing};
-  if (cause.sense == 0) return {Phrase::gives_way, Phrase::give_way};
   const auto rubs = [&](int k) {
     const Contact& c = still.found.islands[cause.island].island.contacts[k];
     return still.system.surface(c.on, c.from).friction > 0.0;
   };
-  if (std::ranges::any_of(cause.part.presses, rubs)) return {Phrase::rubs_away, Phrase::rub_away};
+  if (std::ranges::any_of(cause.part.presses, rubs)) {
+    if (cause.sense == 0) return {Phrase::rubs_down, Phrase::rub_down};
+    return {Phrase::rubs_away, Phrase::rub_away};
+  }
+  if (cause.sense == 0) return {Phrase::gives_way, Phrase::give_way};
   return {Phrase::slides, Phrase::slide};
 }
 

@@ -35,6 +35,8 @@ enum class Phrase {
   slide,
   rubs_away,
   rub_away,
+  rubs_down,
+  rub_down,
   gives_way,
   give_way,
   swings,

@@ -21,6 +21,17 @@ std::vector<std::uint64_t> keys_of(const ProgramBuilder& builder, const Island& 
   return keys;
 }
 
+/// Of what moves, how far accelerations go on before a jam.
+constexpr double push_share = 1e-6;
+
+/// |f|_M, the root of twice the energy of a program's target.
+double size_of_target(const QuadraticProgram& program) {
+  double square = 0.0;
+  for (int k = 0; k < program.unknowns(); ++k)
+    square += program.mass[k] * program.target[k] * program.target[k];
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 bool rubs(const System& system, const Island& island) {
@@ -138,13 +149,27 @@ IslandSolution FrictionDynamics::impact(const State& state, const Island& island
   return solution;
 }
 
+/// The velocity program asks nothing of what slides on and neither opens nor closes: no impulses are a solution as well. They are
+/// none of what accelerations would have to be for an instant, so that is asked first, and leaves the modes that jump.
 IslandSolution FrictionDynamics::jam(const State& state, const Island& island) {
+  builder_.acceleration(state, island);
+  builder_.add_friction(state, island);
+  const QuadraticProgram asked = builder_.program();
   builder_.velocity(state, island);
   builder_.add_friction(state, island);
-  // No impulses are a solution as well; a solver without a memory begins where all stick.
+  const FrictionProgram exact = builder_.friction_program();
+  QuadraticProgram pushed = exact.program;
+  const double pull = size_of_target(asked);
+  const double h = pull > 0.0 ? push_share * size_of_target(pushed) / pull : 0.0;
+  for (int k = 0; k < pushed.unknowns(); ++k)
+    pushed.target[k] += h * asked.target[k];
+  for (int row = 0; row < pushed.rows(); ++row)
+    pushed.bound[row] += h * asked.bound[row];
   CoulombSolver solver;
   CoulombResult result;
-  solver.solve(builder_.friction_program(), result, keys_of(builder_, island));
+  const std::vector<std::uint64_t> keys = keys_of(builder_, island);
+  solver.solve({pushed, exact.contacts}, result, keys);
+  solver.solve(exact, result, keys);
   IslandSolution solution = read(state, island, result);
   keep_if_missed(solution);
   return solution;

@@ -67,6 +67,19 @@ int partner(const PartStand& part, const Contact& c) {
   return has(part.cubes, c.on) ? c.from : c.on;
 }
 
+/// To where a part slides: along the sides that it presses on. The motion that proves that friction does not hold it leaves them
+/// as well, the more the rougher they are.
+Vec2 way_along(const Island& island, const PartStand& part) {
+  if (part.presses.empty()) return part.motion.linear;
+  Vec2 way = Vec2::Zero();
+  for (const int k : part.presses) {
+    const Contact& c = island.contacts[k];
+    const Vec2 v = point_velocity(part.motion, c.point - part.centre);
+    way += v - v.dot(c.normal) * c.normal;
+  }
+  return way;
+}
+
 /// What presses at more than one place is driven along by them, not over a corner.
 bool presses_at_one_point(const Island& island, const PartStand& part) {
   const Contact& pivot = island.contacts[*part.pivot];
@@ -93,9 +106,9 @@ Cause cause_of(const StillScene& still, int m, PartStand part) {
   cause.failure = FailureMode::slides;
   if (cause.on.empty())
     cause.failure = cause.part.on_rods ? FailureMode::swings : FailureMode::drops;
-  const Vec2& a = cause.part.motion.linear;
-  const double aside = a.dot(still.right());
-  if (std::abs(aside) > no_motion * a.norm()) cause.sense = sign(aside);
+  const Vec2 way = way_along(island, cause.part);
+  const double aside = way.dot(still.right());
+  if (std::abs(aside) > no_motion * way.norm()) cause.sense = sign(aside);
   return cause;
 }
 

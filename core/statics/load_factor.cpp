@@ -43,6 +43,8 @@ constexpr double cut_noise = 100.0;
 /// A load so many times as large as the weights drowns them: what it needs to be more is never enough.
 constexpr double drowning = 1e9;
 constexpr double digits_of_ends = 1e-6;
+/// Forces so many times as large as the load, of cubes that wedge one another, leave it too few digits.
+constexpr double drowned = 1e4;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -97,6 +99,19 @@ double LoadFactor::largest(const std::vector<double>& a) const {
   return std::sqrt(most);
 }
 
+/// Whether what balances the load is too small a part of the forces.
+bool LoadFactor::is_drowned() const {
+  double load = 0.0;
+  for (int k = 0; k < program_.unknowns(); k += program_.block_size) {
+    const double f = std::hypot(program_.mass[k] * program_.target[k],
+                                program_.mass[k + 1] * program_.target[k + 1]);
+    const double turn = std::sqrt(program_.mass[k] * program_.mass[k + 2]) * program_.target[k + 2];
+    load = std::max({load, f, std::abs(turn)});
+  }
+  return std::ranges::any_of(result_.multiplier,
+                             [&](double f) { return std::abs(f) > drowned * load; });
+}
+
 bool LoadFactor::balances(const std::vector<double>& w, const std::vector<double>& q, double s) {
   for (int k = 0; k < program_.unknowns(); ++k)
     program_.target[k] = (w[k] + s * q[k]) / program_.mass[k];
@@ -108,6 +123,11 @@ bool LoadFactor::balances(const std::vector<double>& w, const std::vector<double
     return true;
   }
   solver_->solve(program_, result_);
+  // Cubes that can wedge one another may do so as hard as they like, and what is remembered makes it harder and harder.
+  if (is_drowned()) {
+    solver_->forget();
+    solver_->solve(program_, result_);
+  }
   unrest_ = largest(result_.x) / scale;
   return unrest_ <= at_rest;
 }

@@ -103,6 +103,7 @@ class LoadFactor {
   [[nodiscard]] bool is_large() const;
   /// Solves for w + s q; true where there are forces.
   bool balances(const std::vector<double>& w, const std::vector<double>& q, double s);
+  [[nodiscard]] bool is_drowned() const;
   [[nodiscard]] double largest(const std::vector<double>& a) const;
 
   QuadraticProgram program_;

@@ -19,11 +19,15 @@ LoadRange intersection(const LoadRange& a, const LoadRange& b) {
   return {std::max(a.low, b.low), std::min(a.high, b.high), std::max(a.error, b.error)};
 }
 
+/// Of load factors, 1.
+constexpr double factor_rounding = 1e-8;
+
 /// An end that is zero but for rounding, of a scene that stands, is zero: a knife edge, of which rounding may have crossed
-/// both ends.
+/// both ends. A range that is farther from zero is not known.
 LoadRange around_zero(const LoadRange& range, bool stands) {
   if (!stands) return range;
-  return {std::min(range.low, 0.0) + 0.0, std::max(range.high, 0.0) + 0.0, range.error};
+  const LoadRange known = around(0.0, range, factor_rounding);
+  return {known.low + 0.0, known.high + 0.0, known.error};
 }
 
 std::optional<TiltMargin> tilt(const StillScene& still, Sliding sliding, double& error) {
@@ -85,14 +89,14 @@ class IslandMargins {
     // A weight that acts at r turns with det(r, down) times itself.
     const double turn = det(still_.right(), still_.down());
     const Load q = torque_on(of_.island, cube, lever * turn);
-    return around_zero(solver_.range(q).times(side), of_.rests);
+    return around_zero(solver_.range(q), of_.rests).times(side);
   }
 
   LoadRange load(int cube) {
     const double weight = still_.weight(cube);
     const Load q = force_at(still_, of_.island, cube, middle_of_highest_side(still_, cube),
                             weight * still_.down());
-    return around_zero(solver_.range(q).times(weight), of_.rests);
+    return around_zero(solver_.range(q), of_.rests).times(weight);
   }
 
  private:

@@ -298,8 +298,7 @@ void Track::go_on_or_hand_back() {
   const bool slow = is_slower_than(*system_, steps_->state(), slowest_motion * scales_.speed);
   if (only_steps_ || policy_.only_steps) {
     until_ = crowding_.frames_after(clock_, longest_step);
-    stepping_ = !(slow && rest_from(steps_->with_closed_gaps(), clock_, touching_tolerance, {}))
-                && !hand_to_part();
+    stepping_ = !(slow && rest_with_closed_gaps()) && !hand_to_part();
     return;
   }
   const bool few = system_->cubes <= most_event_cubes || policy_.only_events;
@@ -315,6 +314,13 @@ void Track::book_closing(const State& closed) {
   const double loss = energy(*system_, steps_->state()) - energy(*system_, closed);
   if (loss > 0.0) book_.losses.push_back({clock_, loss, false, clock_});
   book_.settled += unexplained(*system_, steps_->state(), closed);
+}
+
+bool Track::rest_with_closed_gaps() {
+  const State state = steps_->with_closed_gaps();
+  if (!rest_from(state, clock_, touching_tolerance, {})) return false;
+  book_closing(state);
+  return true;
 }
 
 bool Track::hand_to_part() {

@@ -85,6 +85,7 @@ class Track {
   void step(double limit);
   void go_on_or_hand_back();
   void book_closing(const State& closed);
+  bool rest_with_closed_gaps();
   bool hand_to_part();
   void hand_back();
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/check.h"
+#include "core/scene/scene_parser.h"
 #include "core/time/simulation.h"
 #include "tests/support/stacks.h"
 
@@ -240,6 +241,26 @@ TEST(Painleve, JamsAndGoesOnFromEventToEvent) {
   }
 }
 
+// A cube slides on another with so much friction that both would tip backwards and press the less the more they rub: no
+// accelerations exist. The upper one sticks at once, and both turn as one about the lower corner ahead.     [] ->
+TEST(Painleve, KickedCubeSticksAndTipsTheOneBelow) {
+  for (const double mass : {1.0, 4.0}) {
+    for (const double ahead : {1.0, -1.0}) {
+      Scene scene = on_floor({cube("below", {0.0, 0.5}), cube("kicked", {0.0, 1.5})});
+      scene.cubes[1].mass = mass;
+      scene.cubes[1].velocity = Vec2(ahead, 0.0);
+      set_friction(1.5, scene);
+      Simulation simulation(scene, {});
+      simulation.advance_to(0.0);
+      ASSERT_FALSE(simulation.events().empty());
+      EXPECT_EQ(simulation.events().front().kind, EventKind::jam);
+      const double inertia = (1.0 / 6.0 + 0.5) + mass * (1.0 / 6.0 + 2.5);
+      for (const BodyState& s : simulation.states())
+        EXPECT_NEAR(s.spin, -ahead * mass * 1.5 / inertia, 1e-12);
+    }
+  }
+}
+
 TEST(HouseOfCards, StandsUntilItIsStruck) {
   Scene scene = shipped_scene("house_of_cards");
   Simulation struck(scene, {});
@@ -264,6 +285,19 @@ TEST(Jenga, StandsWithThePlankAndFallsWithout) {
   plank.position.y() += 1.6;
   scene.cubes.push_back(plank);
   EXPECT_EQ(check(scene, {}).verdict, Verdict::stands);
+}
+
+// A crowd comes to rest with gaps that nobody sees. They are closed then, and what that takes is lost.
+TEST(Crowd, LosesWhatItTakesToComeToRest) {
+  const Scene bin = parse_scene(
+      R"({"version": 1, "material": {"friction": 0.6}, "plane": [{}],
+          "fixed": [{"size": [1, 18.5], "position": [-6.5, 9.25]}, {"size": [1, 18.5], "position": [6.5, 9.25]}],
+          "pile": [{"count": 30, "size": 1, "seed": 2, "region": [-5.99, 0.01, 5.99, 9.25]}]})",
+      "bin");
+  Simulation simulation(bin, {});
+  simulation.advance_to(4.0);
+  EXPECT_EQ(simulation.events().back().kind, EventKind::rest);
+  EXPECT_LE(std::abs(simulation.audit().drift()), 1e-9);
 }
 
 TEST(NewtonsRow, OnlyTheLastCubeLeaves) {

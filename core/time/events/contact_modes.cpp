@@ -212,7 +212,9 @@ IslandModes find_modes(const Island& island,
                        Workspace& work) {
   std::vector<SideUse> use;
   IslandSolution solution = drop_slow_openings(island, state, scales, after_impact, use, work);
-  if (is_undecided(island, solution, use, scales.gravity, *work.system))
+  // Where no accelerations exist what the solver leaves decides nothing.
+  const bool exists = solution.status != QpStatus::infeasible;
+  if (exists && is_undecided(island, solution, use, scales.gravity, *work.system))
     solution = peek(island, state, solution, use, peek_time * scales.time, work);
   double lightest = work.system->body(island.cubes.front()).mass;
   for (const int cube : island.cubes)

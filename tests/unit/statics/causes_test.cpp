@@ -81,6 +81,31 @@ TEST(Causes, WhatNothingCarriesDropsAndWhatNothingHoldsSlides) {
   EXPECT_FALSE(slides->corner);
 }
 
+// The motion that proves it leaves the wall as well as it goes down.
+TEST(Causes, WhatTouchesAWallSlidesDown) {
+  for (const double side : {1.0, -1.0}) {
+    Scene scene = on_floor({cube("a", {0.5 * side, 3.0})});
+    scene.planes.push_back({"wall", Vec2::Zero(), Vec2(side, 0.0), {}});
+    const std::optional<Cause> slides = first_cause(still(with_friction(scene, 0.5)));
+    ASSERT_TRUE(slides);
+    EXPECT_EQ(slides->failure, FailureMode::slides);
+    EXPECT_EQ(slides->sense, 0);
+  }
+}
+
+TEST(Causes, WhatTheSlopeDoesNotHoldSlidesDownThere) {
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 normal(0.6 * side, 0.8);
+    Scene scene;
+    scene.cubes = {cube("a", 0.5 * normal, -side * std::asin(0.6))};
+    scene.planes = {{"slope", Vec2::Zero(), normal, {}}};
+    const std::optional<Cause> slides = first_cause(still(with_friction(scene, 0.7)));
+    ASSERT_TRUE(slides);
+    EXPECT_EQ(slides->failure, FailureMode::slides);
+    EXPECT_EQ(slides->sense, side > 0.0 ? 1 : -1);
+  }
+}
+
 // Turned by 0.7 rad with gravity: rounding leaves forces of 1e-19 N between sides that touch.
 TEST(Causes, WhatFallsInTouchIsNotCarried) {
   const Vec2 along{std::cos(0.7), std::sin(0.7)};

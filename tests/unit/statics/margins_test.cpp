@@ -2,8 +2,12 @@
 #include "core/statics/margins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -122,6 +126,32 @@ TEST(Margins, AWallWithFrictionMayBeTiltedByElevenOverTwentyOne) {
       tilt_range(still(shipped_scene("wall", {"material.friction=0.6"})), Sliding::given);
   EXPECT_NEAR(tilt.high, 11.0 / 21.0, exact);
   EXPECT_NEAR(tilt.low, -11.0 / 21.0, exact);
+}
+
+// Bricks wedge one another as hard as they like between the wall and what stands on the floor. Lifted, each takes along what
+// rubs on it: lifts are whole weights.
+TEST(Margins, OfCubesThatWedgeOneAnotherAreThoseOfTheScene) {
+  const std::array bricks{Vec2(0.25, 2.0), Vec2(2.25, 0.5), Vec2(2.75, 1.0), Vec2(3.75, 1.0),
+                          Vec2(0.0, 1.0),  Vec2(1.0, 0.5),  Vec2(1.5, 0.5),  Vec2(2.0, 0.5)};
+  const std::array masses{1.0, 4.0, 1.0, 1.0, 4.0, 1.0, 1.0, 2.0};
+  const std::array lifts{15.0, 8.0, 2.0, 1.0, 8.0, 4.0, 3.0, 2.0};  // weights of a kilogram
+  std::vector<SceneCube> cubes;
+  for (std::size_t k = 0; k < bricks.size(); ++k) {
+    const Vec2 centre(bricks[k].x() + 0.5 * bricks[k].y(), k < 4 ? 0.5 : 1.5);
+    cubes.push_back(sized_cube("b" + std::to_string(k), centre, {bricks[k].y(), 1.0}));
+    cubes.back().mass = masses[k];
+  }
+  Scene scene = on_floor(std::move(cubes));
+  scene.planes.push_back({"wall", Vec2::Zero(), Vec2::UnitX(), {}});
+  const Margins found = margins(with_friction(scene, 1.0));
+  ASSERT_EQ(found.bodies.size(), lifts.size());
+  for (std::size_t k = 0; k < lifts.size(); ++k) {
+    EXPECT_NEAR(-found.bodies[k].load.low, g * lifts[k], exact * g * lifts[k]) << k;
+    EXPECT_EQ(found.bodies[k].load.high, unbounded) << k;
+    EXPECT_EQ(found.bodies[k].shift.low, -unbounded) << k;
+    EXPECT_EQ(found.bodies[k].shift.high, unbounded) << k;
+  }
+  EXPECT_LE(found.error, exact);
 }
 
 TEST(Margins, AKnifeEdgeHasNone) {
