@@ -164,8 +164,7 @@ bool CoulombStages::interior(const FrictionProgram& friction,
   find_modes();
   if (judge_point(friction, CoulombStage::interior, result)) return true;
   if (outcome.worst < worth_settling) return settle(friction, CoulombStage::interior, result);
-  return solvable && friction.contacts.size() <= most_from_open
-         && approach(friction, soft_delta, CoulombStage::interior, result);
+  return solvable && approach(friction, soft_delta, CoulombStage::interior, result);
 }
 
 bool CoulombStages::follow(const FrictionProgram& friction,
