@@ -14,16 +14,8 @@ namespace {
 constexpr double still_missed = 0.5;  ///< of what a first placement misses of the lengths of rods
 constexpr int most_bends = 4;         ///< placements that follow the first one where rods hold
 /// touching_share of islands that are placed once, which leaves gaps of the size of what the second placement would have
-/// moved: to close them, by less than can be seen, hundreds of bodies that stand would have to be moved, step after step. Of
-/// more cubes than these programs without gaps are no easier, and more of them are missed.
+/// moved: to close them, by less than can be seen, hundreds of bodies that stand would have to be moved, step after step.
 constexpr double touching_share_of_many = 1e-5;
-constexpr std::size_t most_cubes_with_gaps = 400;
-
-/// Of the smaller side.
-double gaps_that_count_as_closed(const Island& island) {
-  const bool many = is_placed_once(island) && island.cubes.size() <= most_cubes_with_gaps;
-  return many ? touching_share_of_many : touching_share;
-}
 
 /// How far the corner has slid along the side, along perp(normal), m.
 double slip_of(const System& system, const Contact& start, const Contact& end) {
@@ -66,7 +58,7 @@ IslandSolution Placement::apart(const Island& island,
   if (rubs(*system_, island)) {
     // Gaps are neither opened nor closed against friction where bodies touch: staying put is to be possible, or there
     // may be no solution (a cube in a corner that rubs).
-    const double share = gaps_that_count_as_closed(island);
+    const double share = is_placed_once(island) ? touching_share_of_many : touching_share;
     for (std::size_t k = 0; k < part.margins.size(); ++k) {
       const Contact& c = part.island.contacts[k];
       const double gap = gap_at_poses(*system_, removal_->near().start_boxes(), c);
