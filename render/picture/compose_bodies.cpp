@@ -1,6 +1,7 @@
 // Cubes and fixed boxes, and what is drawn on them: rods, masses, contacts, names.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <string>
@@ -263,12 +264,26 @@ bool add_name_inside(const FrameParts& parts, const SnapshotBox& box, Color fill
   return true;
 }
 
+/// Whether a character is part of a word; bytes of letters beyond ASCII are.
+bool in_word(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || std::isalnum(byte) != 0 || c == '_';
+}
+
+/// Whether a name stands in a line by itself: "a" is not told of in "leans".
+bool names(const std::string& line, const std::string& name) {
+  for (std::size_t at = line.find(name); at != std::string::npos; at = line.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool begins = at == 0 || !in_word(line[at - 1]);
+    if (begins && (end == line.size() || !in_word(line[end]))) return true;
+  }
+  return false;
+}
+
 /// Whether the words of the picture speak of this body.
 bool is_told_of(const FrameParts& parts, const SnapshotBox& box) {
   if (!parts.snapshot.reason) return false;
-  const auto names_it = [&](const std::string& line) {
-    return line.find(box.name) != std::string::npos;
-  };
+  const auto names_it = [&](const std::string& line) { return names(line, box.name); };
   const SnapshotReason& reason = *parts.snapshot.reason;
   return std::ranges::any_of(reason.headlines, names_it)
          || std::ranges::any_of(reason.advice, names_it);

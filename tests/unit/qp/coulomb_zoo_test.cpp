@@ -58,10 +58,16 @@ TEST(CoulombZoo, EveryAnswerSatisfiesTheLaw) {
 
 TEST(CoulombZoo, PilesThatTumbleWithStrongFriction) {
   // What interior points came no nearer than 1e-2 to.
-  for (const auto& [seed, mu] : {std::pair{2U, 2.0}, {4U, 2.0}, {5U, 1.5}, {6U, 2.0}, {12U, 2.0}}) {
+  struct Pile {
+    int count;
+    unsigned seed;
+    double mu;
+  };
+  for (const auto& [count, seed, mu] : {Pile{100, 2, 2.0}, Pile{100, 4, 2.0}, Pile{100, 5, 1.5},
+                                        Pile{100, 6, 2.0}, Pile{100, 12, 2.0}, Pile{300, 1, 1.0}}) {
     FrictionOptions options{.mu = mu, .tumble = true};
     options.zoo.seed = seed;
-    const FrictionCase c = friction_pile(100, options);
+    const FrictionCase c = friction_pile(count, options);
     CoulombSolver solver;
     CoulombResult result;
     solver.solve(c.view(), result);

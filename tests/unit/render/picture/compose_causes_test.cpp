@@ -80,6 +80,8 @@ TEST(ComposeCauses, NamesWhatTheWordsSpeakOfBesideItWhereItIsTooNarrow) {
   const DrawList list = compose(snapshot, font);
   EXPECT_TRUE(tells(list, above));
   EXPECT_FALSE(tells(list, below)) << "of which nothing is said";
+  snapshot.boxes[0].name = "the upper one of the two boxes of this p";
+  EXPECT_FALSE(tells(compose(snapshot, font), snapshot.boxes[0].name)) << "no word of its own";
 }
 
 TEST(ComposeCauses, MarksTheCornerTheCentreAndTheLever) {
